@@ -1,0 +1,32 @@
+# Helpers that make one library of each room and one test program of each test folder.
+
+add_library(lacuna_options INTERFACE)
+target_include_directories(lacuna_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_options(lacuna_options INTERFACE -Wall -Wextra -Wshadow -Wno-unused-parameter)
+option(LACUNA_WERROR "Treat warnings as errors" OFF)
+if(LACUNA_WERROR)
+    target_compile_options(lacuna_options INTERFACE -Werror)
+endif()
+target_link_libraries(lacuna_options INTERFACE Threads::Threads)
+
+# lacuna_room(NAME DEPENDS lacuna_x ... LIBRARIES other ...): static library lacuna_NAME of all .cpp files in this folder.
+function(lacuna_room name)
+    cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS *.cpp *.h)
+    add_library(lacuna_${name} STATIC ${sources})
+    set_target_properties(lacuna_${name} PROPERTIES LINKER_LANGUAGE CXX)
+    target_link_libraries(lacuna_${name} PUBLIC lacuna_options ${ARG_DEPENDS} ${ARG_LIBRARIES}
+                                         PRIVATE ${ARG_PRIVATE_LIBRARIES})
+endfunction()
+
+# lacuna_tests(NAME DEPENDS ...): test program NAME of all *_test.cpp in this folder, one CTest case a GoogleTest case.
+function(lacuna_tests name)
+    cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
+    file(GLOB sources CONFIGURE_DEPENDS *_test.cpp)
+    if(NOT sources)
+        return()
+    endif()
+    add_executable(${name} ${sources})
+    target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} GTest::gtest_main)
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endfunction()

@@ -1,0 +1,86 @@
+#include "core/base/atomic_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "core/base/error.h"
+
+namespace lacuna {
+
+namespace fs = std::filesystem;
+
+namespace {
+std::string reason(int code) { return std::generic_category().message(code); }
+}  // namespace
+
+AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
+    static std::atomic<unsigned> counter{0};
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
+    std::error_code ec;
+    if (!fs::is_directory(folder, ec))
+        throw Error(Errc::io, "Cannot write " + target_.string() + ": the folder " + folder.string() +
+                                  " does not exist; create it first.");
+    const std::string tag = "." + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part";
+    // "name.part.ext" would split "volume.nii.gz" wrongly: the tag goes in front instead.
+    temporary_ = folder / (tag + "." + target_.filename().string());
+}
+
+AtomicFile::~AtomicFile() {
+    std::error_code ec;
+    if (!committed_) fs::remove(temporary_, ec);
+}
+
+void AtomicFile::commit() {
+    const int fd = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
+    if (fd < 0 || ::fsync(fd) != 0) {
+        const int code = errno;
+        if (fd >= 0) ::close(fd);
+        throw Error(Errc::io, "Cannot write " + target_.string() + ": " + reason(code) + ".");
+    }
+    ::close(fd);
+    std::error_code ec;
+    fs::rename(temporary_, target_, ec);
+    if (ec) throw Error(Errc::io, "Cannot write " + target_.string() + ": " + ec.message() + ".");
+    committed_ = true;
+}
+
+void write_file(const fs::path& target, std::string_view bytes) {
+    AtomicFile file(target);
+    const int fd = ::open(file.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (fd < 0) throw Error(Errc::io, "Cannot write " + target.string() + ": " + reason(errno) + ".");
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t n = ::write(fd, bytes.data() + done, bytes.size() - done);
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) {
+            const int code = n == 0 ? EIO : errno;
+            ::close(fd);
+            throw Error(Errc::io, "Cannot write " + target.string() + ": " + reason(code) + ".");
+        }
+        done += std::size_t(n);
+    }
+    if (::close(fd) != 0) throw Error(Errc::io, "Cannot write " + target.string() + ": " + reason(errno) + ".");
+    file.commit();
+}
+
+std::string read_file(const fs::path& file, std::uintmax_t limit) {
+    std::error_code ec;
+    const std::uintmax_t size = fs::file_size(file, ec);
+    if (ec) throw Error(Errc::io, "Cannot read " + file.string() + ": " + ec.message() + ".");
+    if (size > limit)
+        throw Error(Errc::bad_input, "Cannot read " + file.string() + ": it has " + std::to_string(size) +
+                                         " bytes, more than the " + std::to_string(limit) + " expected at most.");
+    std::ifstream in(file, std::ios::binary);
+    std::string bytes(std::size_t(size), '\0');
+    if (!in.read(bytes.data(), std::streamsize(size)) && size > 0)
+        throw Error(Errc::io, "Cannot read " + file.string() + ".");
+    return bytes;
+}
+
+}  // namespace lacuna

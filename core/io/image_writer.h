@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <span>
+
+namespace lacuna {
+
+/// Writes an 8-bit RGB picture (3 bytes a pixel, row 0 on top) as PNG, all or nothing.
+/// @throws Error(io) naming file and reason
+void write_png(const std::filesystem::path& target, glm::ivec2 size, std::span<const std::uint8_t> rgb);
+
+}  // namespace lacuna

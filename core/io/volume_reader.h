@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/volume/volume.h"
+
+namespace lacuna {
+
+/// One volume found under an input: a DICOM series (split by UID, orientation, size, acquisition) or a file.
+struct SeriesEntry {
+    int number = 0;                      ///< 1, 2, ... in the order listed
+    std::string description, uid, modality;
+    glm::ivec3 size{0};
+    int slices = 0;
+    std::vector<std::filesystem::path> files;
+};
+
+/// How to open an input, beyond its name.
+struct OpenOptions {
+    std::string raw;                     ///< the contract's --raw text; empty: none
+    std::string series;                  ///< --series N|UID; empty: none
+    bool keep_gaps = false;              ///< refuse a series with missing slices instead of interpolating them
+};
+
+/// More than one volume lies under the input and none was chosen. Exit status 2; the message lists them.
+class AmbiguousInput : public Error {
+public:
+    AmbiguousInput(const std::string& sentence, std::vector<SeriesEntry> found)
+        : Error(Errc::bad_usage, sentence), entries(std::move(found)) {}
+    std::vector<SeriesEntry> entries;
+};
+
+/// Lists the volumes an input holds without reading pixels (`sample:` inputs: one entry).
+std::vector<SeriesEntry> list_series(const std::string& input, const JobContext& job = {});
+
+/// Opens any INPUT of the contract: DICOM folder or file, mhd mha nrrd nhdr nii nii.gz, TIFF stack or multi-page,
+/// raw with `raw` or a sidecar or its own name, `sample:NAME[@SIZE]`.
+/// @throws Error(bad_input) and Error(unsupported) naming file, fault and what to do; AmbiguousInput; Error(cancelled)
+Volume open_volume(const std::string& input, const OpenOptions& options = {}, const JobContext& job = {});
+
+/// SHA-256 of the voxels, little-endian in the stored type, x fastest, as hex.
+std::string voxel_sha256(const Volume& volume, const JobContext& job = {});
+
+}  // namespace lacuna

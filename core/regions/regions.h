@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/regions/label_volume.h"
+#include "core/regions/triangle_mesh.h"
+#include "core/volume/statistics.h"
+
+namespace lacuna {
+
+enum class Connectivity { c6 = 6, c18 = 18, c26 = 26 };
+
+/// How to cut a volume into regions: exactly one of range_width and threshold is set.
+struct RegionOptions {
+    std::optional<double> range_width;     ///< 0..1: homogeneous-region growing (Frey & Ertl 2009), a region's values
+                                           ///< span at most this share of the volume's value range
+    std::optional<ValueRange> threshold;   ///< components of the voxels whose value lies in the closed range
+    std::optional<ValueRange> background;  ///< range_width only: values never grown (default: none)
+    Connectivity connectivity = Connectivity::c6;
+    std::int64_t min_voxels = 1;           ///< smaller regions go back to background
+};
+
+/// The row of `lacuna regions` (contract). Lengths in mm.
+struct RegionCharacteristics {
+    std::uint32_t id = 0;
+    std::int64_t voxels = 0;
+    double volume_mm3 = 0;
+    double fraction = 0;                   ///< of all voxels in any region
+    double surface_mm2 = 0;                ///< estimator named by RegionTable::surface_method
+    double shape_factor = 0;               ///< s^3/v^2; 36*pi for a ball, never below it
+    double sphericity = 0;                 ///< Wadell 1935: pi^(1/3) (6v)^(2/3) / s; never above 1
+    std::int64_t holes = 0;                ///< cavities: subsets of the boundary layer less the outer one
+    std::int64_t tunnels = 0;              ///< by Euler's number: components + cavities - euler
+    std::int64_t euler = 0;
+    double mean = 0, min = 0, max = 0, stddev = 0;
+    glm::dvec3 centroid_mm{0};
+    glm::dvec3 bbox_min_mm{0}, bbox_max_mm{0};   ///< of the voxel cells (outer faces), axis-aligned in mm
+    glm::ivec3 bbox_first{0}, bbox_last{0};      ///< in voxels, both included
+    double equivalent_diameter_mm = 0;           ///< of the ball of equal volume
+    glm::dvec3 principal_lengths_mm{0};          ///< full axes of the ellipsoid of equal second moments, longest first
+    bool touches_border = false;
+    std::vector<std::string> flags;              ///< a value that had to be corrected or cannot be trusted, and why
+};
+
+struct RegionTable {
+    LabelVolume labels;                          ///< ids 1..n as in rows
+    std::vector<RegionCharacteristics> rows;     ///< ordered by id; ids by descending voxel count, ties by first voxel
+    std::string surface_method;                  ///< e.g. "Crofton, 13 directions, spacing-weighted"
+    std::string adjacency;                       ///< e.g. "regions 26-connected, cavities 6-connected"
+    ValueRange value_range;                      ///< of the volume
+};
+
+/// Segments and measures. Deterministic for any number of threads. NaN voxels belong to no region.
+/// At most 6 bytes a voxel beyond the volume (labels included).
+/// @throws Error(bad_usage) for options out of range; Error(cancelled)
+RegionTable find_regions(const Volume& volume, const RegionOptions& options, const JobContext& job = {});
+
+/// Measures regions already labelled (any ids; 0 is background). @throws Error(bad_input) if the grids differ
+std::vector<RegionCharacteristics> measure_regions(const Volume& volume, const LabelVolume& labels,
+                                                   Connectivity connectivity, const JobContext& job = {});
+
+/// One closed, outward-oriented surface of a labelled region (marching cubes on its mask, padded), in mm.
+TriangleMesh region_mesh(const LabelVolume& labels, const RegionCharacteristics& region, const JobContext& job = {});
+
+std::string regions_to_json(const RegionTable& table);
+std::string regions_to_csv(const RegionTable& table);   ///< RFC 4180, dot decimals in every locale
+
+}  // namespace lacuna

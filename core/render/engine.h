@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "core/base/job.h"
+#include "core/render/frame.h"
+#include "core/render/plan.h"
+#include "core/render/scene.h"
+
+namespace lacuna {
+
+class ComputeDevice;
+class OpenClRenderer;
+class ShearWarpRenderer;
+
+/// What it took to build the structures the last frame used.
+struct BuildRecord {
+    double ms = 0;            ///< 0 when the cached one served
+    std::size_t bytes = 0;
+};
+
+struct RenderResult {
+    Frame frame;
+    std::map<std::string, BuildRecord> build;   ///< by structure name
+};
+
+/// Executes plans: the one door to all renderers. Holds the device and the cached structures. Thread-safe: one frame
+/// at a time, others wait; a waiting or running frame whose job is stopped ends within 30 ms as Error(cancelled).
+class Engine {
+public:
+    /// @param device  none: iso, EA and the MIP family run on the reference renderer
+    explicit Engine(std::shared_ptr<ComputeDevice> device);
+    ~Engine();
+
+    /// @param count  fill the frame's counters (costs time)
+    /// @throws Error(bad_usage) if check(scene) or check(plan, scene) does; Error(cancelled), Error(out_of_memory)
+    RenderResult render(const Scene& scene, const Plan& plan, const JobContext& job = {}, bool count = false);
+
+    /// "pthread-AMD EPYC ..." or "reference renderer (no OpenCL device)".
+    std::string device_name() const;
+    /// Bytes held by cached structures and device copies now.
+    std::size_t bytes_held() const;
+    /// Drops all cached structures and device copies.
+    void drop_caches();
+
+private:
+    std::shared_ptr<ComputeDevice> device_;
+    std::unique_ptr<OpenClRenderer> opencl_;
+    std::unique_ptr<ShearWarpRenderer> shear_warp_;
+    mutable std::timed_mutex mutex_;
+};
+
+}  // namespace lacuna

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/render/scene.h"
+
+namespace lacuna {
+
+/// How empty space is skipped. `visible` belongs to shear_warp and to nothing else.
+enum class Structure { none, macrocells, visible };
+enum class Sampler { nearest, linear };
+enum class Refinement { none, bisect, regula_falsi, newton };
+
+/// How a scene is drawn: plain values, and the reasons for them.
+struct Plan {
+    Structure structure = Structure::macrocells;
+    double step = 0.5;                  ///< in units of the smallest voxel spacing
+    Sampler sampler = Sampler::linear;
+    Refinement refine = Refinement::regula_falsi;
+    int refine_steps = 5;
+    double ert = 0.002;                 ///< EA stops when opacity exceeds 1 - ert; 0: never
+    std::vector<std::string> why;       ///< one sentence a choice, and what was not built
+};
+
+std::string_view name_of(Structure structure);
+std::string_view name_of(Sampler sampler);
+std::string_view name_of(Refinement refinement);
+/// @throws Error(bad_usage) listing the known names
+Structure parse_structure(std::string_view text);
+Sampler parse_sampler(std::string_view text);
+Refinement parse_refinement(std::string_view text);
+
+/// The least structure that serves the scene's mode, with its reasons.
+Plan default_plan(const Scene& scene);
+/// The brute-force plan every other is measured against: no structure, no early termination, linear sampling.
+Plan reference_plan(const Scene& scene, const Plan& like);
+
+/// @throws Error(bad_usage) for a parameter out of range, or a structure that cannot serve the scene's mode, naming
+/// those that can
+void check(const Plan& plan, const Scene& scene);
+
+}  // namespace lacuna
