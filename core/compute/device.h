@@ -11,14 +11,14 @@ namespace lacuna {
 
 /// One OpenCL device as found, and what was learnt of it.
 struct DeviceInfo {
-    int index = 0;                       ///< as listed, from 0
+    int index = 0;  ///< as listed, from 0
     std::string platform, name, vendor, driver, opencl_version;
     bool is_cpu = false, is_gpu = false;
     int compute_units = 0;
     std::size_t memory_bytes = 0, max_allocation_bytes = 0;
-    bool usable = false;                 ///< compiled and passed the self-test
-    std::string fault;                   ///< why not, when not usable
-    double rank_ms = 0;                  ///< time of the ranking kernel, smaller is faster; 0 when not measured
+    bool usable = false;  ///< compiled and passed the self-test
+    std::string fault;    ///< why not, when not usable
+    double rank_ms = 0;   ///< time of the ranking kernel, smaller is faster; 0 when not measured
 };
 
 /// One context and one in-order queue on one device. Shared by everything that computes there; the queue is
@@ -48,7 +48,8 @@ std::vector<DeviceInfo> list_devices(bool measure, const JobContext& job = {});
 /// Opens a device: "" takes the fastest usable by the measured ranking, "N" the index listed, else the first whose
 /// name contains the text (case-insensitive). nullptr when the choice is "" and no usable device exists (said once in
 /// the log).
-/// @throws Error(bad_usage) for an unknown N or NAME, listing the devices; Error(device) when the chosen one fails its self-test
+/// @throws Error(bad_usage) for an unknown N or NAME, listing the devices; Error(device) when the chosen one fails its
+/// self-test
 std::shared_ptr<ComputeDevice> open_device(const std::string& choice = "", const JobContext& job = {});
 
 }  // namespace lacuna
