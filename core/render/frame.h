@@ -8,19 +8,20 @@ namespace lacuna {
 
 /// Work done for one frame. Counting costs time, so renderers fill these only when asked to (see Engine::render).
 struct Counters {
-    std::uint64_t rays = 0;              ///< rays that meet the volume's box
-    std::uint64_t samples = 0;           ///< lattice samples reconstructed
-    std::uint64_t skipped = 0;           ///< lattice samples a structure jumped over (not those after termination)
-    std::uint64_t structure_reads = 0;   ///< look-ups in the structure
+    std::uint64_t rays = 0;             ///< rays that meet the volume's box
+    std::uint64_t samples = 0;          ///< lattice samples reconstructed
+    std::uint64_t skipped = 0;          ///< lattice samples a structure jumped over (not those after termination)
+    std::uint64_t structure_reads = 0;  ///< look-ups in the structure
+    std::uint64_t not_converged = 0;    ///< iso hits whose Newton refinement left its bracket (reference renderer only)
 };
 
 /// A picture as rendered: floats, row 0 on top.
 struct Frame {
     glm::ivec2 size{0};
-    std::vector<glm::vec4> color;        ///< size.x*size.y, sRGB, premultiplied by opacity, over nothing
-    std::vector<float> depth_mm;         ///< along the ray from its origin; infinity where nothing opaque was met
+    std::vector<glm::vec4> color;  ///< size.x*size.y, sRGB, premultiplied by opacity, over nothing
+    std::vector<float> depth_mm;   ///< along the ray from its origin; infinity where nothing opaque was met
     Counters counters;
-    double ms = 0;                       ///< from the call to the pixels on the host, structure builds not counted
+    double ms = 0;  ///< from the call to the pixels on the host, structure builds not counted
 
     std::size_t pixels() const { return std::size_t(size.x) * std::size_t(size.y); }
 };

@@ -32,25 +32,32 @@ struct Highlight {
 };
 
 /// What is to be seen: plain values, no word of how. The lattice every renderer samples: a ray's sample k (from 0) lies
-/// (k + 1/2) steps behind the ray's entry into the box of voxel cells ([-1/2, n-1/2] in voxel coordinates);
+/// (k + 1/2) steps behind the ray's entry into the box of voxel cells ([-1/2, n-1/2] in voxel coordinates; a ray that
+/// starts inside the box enters at its origin), n = max(0, ceil(length / step - 1/2)) samples in all;
 /// reconstruction between voxel centres is trilinear (or nearest), beyond the outermost centres clamped to them. Cuts
-/// never shift the lattice; they narrow the range of k. A sample whose neighbourhood holds a NaN voxel is NaN and
-/// contributes nothing.
+/// never shift the lattice; they narrow the range of k. A sample whose neighbourhood holds a voxel that is not finite
+/// (weight 0 included) is NaN and contributes nothing.
 ///
 /// iso: the first point where iso_measure(value) turns from outside to inside is drawn opaque in surface_color. A ray
-///   entering through the volume's own side inside the object hits there, with that side's normal. A ray entering the
+///   entering through the volume's own side inside the object hits there, with that side's normal (a ray that starts
+///   inside the box and inside the object hits at its origin, with c = 1). A ray entering the
 ///   kept part through a cut inside the object shows the grey data value there (`cap`), or runs on to the first
-///   turn from inside to outside (`open`), drawn as a surface. After a NaN sample the ray counts as outside.
+///   turn from inside to outside (`open`), drawn as a surface. After a NaN sample the ray counts as outside, and a hit
+///   at the very next sample is not refined.
 /// ea: emission-absorption by the classification, front to back, opacity corrected for the step. A ray entering
-///   through a capped cut where the opacity is above 0 ends there in the grey data value.
+///   through a capped cut where the opacity (gradient factor left out) is above 0 ends there in the grey data value.
+///   Depth: the sample at which opacity first exceeds 1/2.
 /// mip / minip / mean: largest / smallest / mean sample, drawn grey through the window, or in the transfer function's
-///   colour where color_by_tf; rays without a sample (or with none inside the ranges) are background. mean divides by the number of samples
-///   counted. lmip: the first local maximum at or above lmip_threshold along the samples (a sample not smaller than the
-///   threshold whose successor is smaller, or that is the last); the largest sample where none reaches the threshold.
+///   colour where color_by_tf; rays without a sample (or with none inside the ranges) are background. mean divides by
+///   the number of samples counted: those neither NaN nor outside the ranges. Depth: the first sample that wins;
+///   infinity for mean. lmip: the first local maximum at or above lmip_threshold along the counted samples (a sample
+///   not smaller than the threshold whose counted successor is smaller, or that is the last); the largest sample where
+///   none reaches the threshold.
 /// shear_warp: the iso surface's voxels by shear-warp (Csebfalvi et al. 1999); orthographic only.
 /// Headlight shading, two-sided: with c = |n.v|, lambert gives colour * (0.2 + 0.8 c), phong
 ///   colour * (0.2 + 0.7 c) + 0.3 c^20; n is the gradient's direction (central differences over one voxel each way, of
-///   the trilinear reconstruction, in mm). A zero gradient counts as c = 0. EA applies it to each sample's colour.
+///   the trilinear reconstruction whatever the sampler, in mm). A gradient that is zero or NaN counts as c = 0 and as
+///   magnitude 0. EA applies it to each sample's colour. Nothing is clamped before the picture is shown.
 struct Scene {
     Volume volume;
     ViewMode mode = ViewMode::ea;

@@ -1,0 +1,116 @@
+#include "core/render/plan.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace lacuna {
+
+namespace {
+
+constexpr std::array<std::pair<Structure, std::string_view>, 3> k_structure_names{
+    {{Structure::none, "none"}, {Structure::macrocells, "macrocells"}, {Structure::visible, "visible"}}};
+constexpr std::array<std::pair<Sampler, std::string_view>, 2> k_sampler_names{
+    {{Sampler::nearest, "nearest"}, {Sampler::linear, "linear"}}};
+constexpr std::array<std::pair<Refinement, std::string_view>, 4> k_refinement_names{
+    {{Refinement::none, "none"},
+     {Refinement::bisect, "bisect"},
+     {Refinement::regula_falsi, "regula-falsi"},
+     {Refinement::newton, "newton"}}};
+
+constexpr double k_min_step = 0.01, k_max_step = 100;
+constexpr int k_max_refine_steps = 64;
+
+template <class Names>
+auto parse(const Names& names, std::string_view text, const char* what) {
+    std::string known;
+    for (const auto& [value, name] : names) {
+        if (name == text) return value;
+        known += (known.empty() ? "" : ", ") + std::string(name);
+    }
+    throw Error(Errc::bad_usage,
+                "There is no " + std::string(what) + " '" + std::string(text) + "'; known are " + known + ".");
+}
+
+template <class Names, class Value>
+std::string_view name_in(const Names& names, Value wanted) {
+    for (const auto& [value, name] : names)
+        if (value == wanted) return name;
+    return "";
+}
+
+}  // namespace
+
+std::string_view name_of(Structure structure) { return name_in(k_structure_names, structure); }
+std::string_view name_of(Sampler sampler) { return name_in(k_sampler_names, sampler); }
+std::string_view name_of(Refinement refinement) { return name_in(k_refinement_names, refinement); }
+Structure parse_structure(std::string_view text) { return parse(k_structure_names, text, "structure"); }
+Sampler parse_sampler(std::string_view text) { return parse(k_sampler_names, text, "sampler"); }
+Refinement parse_refinement(std::string_view text) { return parse(k_refinement_names, text, "refinement"); }
+
+Plan default_plan(const Scene& scene) {
+    Plan plan;
+    switch (scene.mode) {
+        case ViewMode::shear_warp:
+            plan.structure = Structure::visible;
+            plan.sampler = Sampler::nearest;
+            plan.refine = Refinement::none;
+            plan.why = {"Visible voxels: shear-warp paints the surface voxels one viewing direction can see.",
+                        "No macrocells: no ray is cast."};
+            return plan;
+        case ViewMode::iso:
+            plan.why = {"Macrocells: cells whose value range lies on one side of the surface are jumped over.",
+                        "Regula falsi, 5 steps: the surface's depth is far more exact than the sample distance."};
+            break;
+        case ViewMode::ea:
+            plan.why = {"Macrocells: cells without a visible value are jumped over.",
+                        "Rays end at opacity 0.998: what is left is below one grey level."};
+            break;
+        case ViewMode::mip:
+        case ViewMode::minip:
+            plan.why = {"Macrocells: cells that cannot change the extreme value found so far are jumped over."};
+            break;
+        case ViewMode::lmip:
+            plan.why = {"Macrocells: cells that can hold no winner are jumped over."};
+            break;
+        case ViewMode::mean:
+            if (scene.classification.ranges.empty()) {
+                plan.structure = Structure::none;
+                plan.why = {"No structure: the mean counts every sample."};
+            } else {
+                plan.why = {"Macrocells: cells outside all segmentation ranges are jumped over."};
+            }
+            break;
+    }
+    plan.why.push_back("Two samples a voxel, trilinear: below that, thin walls are missed.");
+    plan.why.push_back("No stored gradients: they are taken where a sample shows.");
+    return plan;
+}
+
+Plan reference_plan(const Scene& scene, const Plan& like) {
+    Plan plan = like;
+    plan.why = {"Brute force: what every other plan is measured against."};
+    if (scene.mode == ViewMode::shear_warp) return plan;  // nothing to leave out
+    plan.structure = Structure::none;
+    plan.sampler = Sampler::linear;
+    plan.ert = 0;
+    return plan;
+}
+
+void check(const Plan& plan, const Scene& scene) {
+    if (!(plan.step >= k_min_step && plan.step <= k_max_step))
+        throw Error(Errc::bad_usage, "The step must lie between 0.01 and 100 voxel spacings.");
+    if (plan.refine_steps < 0 || plan.refine_steps > k_max_refine_steps)
+        throw Error(Errc::bad_usage, "The number of refinement steps must lie between 0 and 64.");
+    if (!(plan.ert >= 0 && plan.ert < 1))
+        throw Error(Errc::bad_usage, "The early ray termination must be at least 0 and below 1.");
+    const bool shear_warp = scene.mode == ViewMode::shear_warp;
+    if (shear_warp != (plan.structure == Structure::visible))
+        throw Error(Errc::bad_usage, "The structure '" + std::string(name_of(plan.structure)) +
+                                         "' cannot serve the mode '" + std::string(name_of(scene.mode)) +
+                                         (shear_warp ? "'; 'visible' can." : "'; 'none' and 'macrocells' can."));
+}
+
+}  // namespace lacuna

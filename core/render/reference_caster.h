@@ -1,0 +1,287 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "core/render/frame.h"
+#include "core/render/plan.h"
+#include "core/render/reference_ray.h"
+#include "core/render/reference_sampler.h"
+#include "core/render/scene.h"
+
+namespace lacuna::reference {
+
+constexpr double k_nothing = std::numeric_limits<double>::infinity();
+
+/// What one ray brings home.
+struct Pixel {
+    glm::dvec4 color{0};  ///< premultiplied
+    double depth_mm = k_nothing;
+};
+
+/// A headlight's c = |n.v| turned into a colour, as scene.h defines it.
+inline glm::dvec3 shade(Shading shading, const glm::dvec3& color, double c) {
+    switch (shading) {
+        case Shading::none:
+            return color;
+        case Shading::lambert:
+            return color * (0.2 + 0.8 * c);
+        case Shading::phong:
+            break;
+    }
+    return color * (0.2 + 0.7 * c) + 0.3 * std::pow(c, 20);
+}
+
+inline double grey_level(const ValueRange& window, double value) {
+    return std::fmin(std::fmax((value - window.lo) / window.width(), 0), 1);
+}
+
+/// The shortest true program for one ray in each mode. Counters grow with each call.
+template <class T>
+class Caster {
+public:
+    Caster(const Scene& scene, const Plan& plan)
+        : scene_(scene),
+          plan_(plan),
+          field_(scene.volume),
+          nearest_(plan.sampler == Sampler::nearest),
+          no_ranges_(scene.classification.ranges.empty()) {}
+
+    Pixel trace(const LatticeRay& ray) {
+        if (ray.hits_box) ++counters.rays;
+        if (!ray.kept) return {};
+        switch (scene_.mode) {
+            case ViewMode::iso:
+                return iso(ray);
+            case ViewMode::ea:
+                return emission_absorption(ray);
+            case ViewMode::lmip:
+                return local_maximum(ray);
+            case ViewMode::mean:
+                return mean(ray);
+            default:
+                return extreme(ray, scene_.mode == ViewMode::minip);
+        }
+    }
+
+    Counters counters;
+
+private:
+    /// Walks the counted samples of the MIP family: neither NaN nor outside the ranges. visit(t, value) returns whether
+    /// to go on.
+    template <class Visit>
+    void for_each_counted(const LatticeRay& ray, Visit&& visit) {
+        for (std::int64_t k = ray.first; k < ray.end; ++k) {
+            const double t = ray.sample_t(k), value = sample(ray, t);
+            ++counters.samples;
+            if (std::isnan(value) || !(no_ranges_ || scene_.classification.in_ranges(value))) continue;
+            if (!visit(t, value)) return;
+        }
+    }
+
+    double sample(const LatticeRay& ray, double t) const {
+        const glm::dvec3 p = ray.at(t);
+        return nearest_ ? field_.nearest(p) : field_.linear(p);
+    }
+    double inside(double value) const {
+        return no_ranges_ ? value - scene_.iso : iso_measure(scene_.classification, scene_.iso, value);
+    }
+    double inside_at(const LatticeRay& ray, double t) const { return inside(sample(ray, t)); }
+
+    /// c = |n.v| of a gradient per mm along the grid's axes; 0 for a gradient that is zero or NaN.
+    static double facing(const LatticeRay& ray, const glm::dvec3& gradient) {
+        const double length = glm::length(gradient);
+        return length > 0 ? std::fmin(std::fabs(glm::dot(gradient, ray.direction_grid)) / length, 1) : 0;
+    }
+
+    Pixel opaque(const glm::dvec3& color, double t) const { return {glm::dvec4(color, 1), t}; }
+    Pixel cap(const LatticeRay& ray, double value) const {
+        return opaque(glm::dvec3(grey_level(scene_.window, value)), ray.from);
+    }
+    Pixel surface(double c, double t) const { return opaque(shade(scene_.shading, scene_.surface_color, c), t); }
+    Pixel projected(double value, double t) const {
+        return opaque(
+            scene_.color_by_tf ? scene_.classification.at(value).color : glm::dvec3(grey_level(scene_.window, value)),
+            t);
+    }
+
+    Pixel iso(const LatticeRay& ray);
+    double refine(const LatticeRay& ray, double a, double g_a, double b, double g_b, bool leaving);
+    double regula_falsi(const LatticeRay& ray, double a, double h_a, double b, double h_b, double sign) const;
+    double newton(const LatticeRay& ray, double a, double h_a, double b, double h_b);
+    Pixel emission_absorption(const LatticeRay& ray);
+    Pixel extreme(const LatticeRay& ray, bool smallest);
+    Pixel local_maximum(const LatticeRay& ray);
+    Pixel mean(const LatticeRay& ray);
+
+    const Scene& scene_;
+    const Plan& plan_;
+    Field<T> field_;
+    bool nearest_, no_ranges_;
+};
+
+/// `lower_known` is false where the sample before the turn is NaN: then the sample itself is the hit.
+template <class T>
+Pixel Caster<T>::iso(const LatticeRay& ray) {
+    double lower = ray.from;
+    const double entry_value = sample(ray, lower);
+    double g_lower = inside(entry_value);
+    bool in_object = g_lower >= 0;
+    if (in_object && !ray.entry_by_cut)
+        return surface(ray.entry_axis < 0 ? 1.0 : std::fabs(ray.direction_grid[ray.entry_axis]), lower);
+    if (in_object && ray.entry_capped) return cap(ray, entry_value);
+
+    for (std::int64_t k = ray.first; k < ray.end; ++k) {
+        const double t = ray.sample_t(k), g = inside_at(ray, t);
+        ++counters.samples;
+        if (std::isnan(g)) {
+            in_object = false;
+        } else if (in_object ? g < 0 : g >= 0) {
+            const double hit = std::isnan(g_lower) ? t : refine(ray, lower, g_lower, t, g, in_object);
+            return surface(facing(ray, field_.gradient(ray.at(hit))), hit);
+        }
+        lower = t;
+        g_lower = g;
+    }
+    return {};
+}
+
+/// Sharpens the turn between a (before it) and b (behind it). `leaving`: the turn is from inside to outside.
+template <class T>
+double Caster<T>::refine(const LatticeRay& ray, double a, double g_a, double b, double g_b, bool leaving) {
+    const double sign = leaving ? -1 : 1;
+    switch (plan_.refine) {
+        case Refinement::none:
+            return b;
+        case Refinement::regula_falsi:
+            return regula_falsi(ray, a, sign * g_a, b, sign * g_b, sign);
+        case Refinement::newton:
+            return newton(ray, a, g_a, b, g_b);
+        case Refinement::bisect:
+            break;
+    }
+    for (int i = 0; i < plan_.refine_steps; ++i) {
+        const double middle = 0.5 * (a + b), g = inside_at(ray, middle);
+        (leaving ? g < 0 : g >= 0) ? b = middle : a = middle;
+    }
+    return 0.5 * (a + b);
+}
+
+/// Regula falsi with the Illinois modification (Dowell & Jarratt 1971): an end kept twice in a row has its value
+/// halved.
+template <class T>
+double Caster<T>::regula_falsi(const LatticeRay& ray, double a, double h_a, double b, double h_b, double sign) const {
+    double estimate = b;
+    int kept_end = 0;  // -1: a was kept last, +1: b was
+    for (int i = 0; i < plan_.refine_steps; ++i) {
+        if (h_a == h_b) return estimate;
+        estimate = a + (b - a) * (h_a / (h_a - h_b));
+        const double h = sign * inside_at(ray, estimate);
+        if (std::isnan(h)) return estimate;
+        if (sign > 0 ? h >= 0 : h > 0) {
+            b = estimate;
+            h_b = h;
+            if (kept_end == -1) h_a *= 0.5;
+            kept_end = -1;
+        } else {
+            a = estimate;
+            h_a = h;
+            if (kept_end == 1) h_b *= 0.5;
+            kept_end = 1;
+        }
+    }
+    return estimate;
+}
+
+template <class T>
+double Caster<T>::newton(const LatticeRay& ray, double a, double g_a, double b, double g_b) {
+    double t = g_a == g_b ? b : a + (b - a) * (g_a / (g_a - g_b));
+    const double h = 0.1 * ray.step_mm;
+    for (int i = 0; i < plan_.refine_steps; ++i) {
+        const double slope = (inside_at(ray, t + h) - inside_at(ray, t - h)) / (2 * h);
+        t -= inside_at(ray, t) / slope;
+        if (!(t >= a && t <= b)) {
+            ++counters.not_converged;
+            return 0.5 * (a + b);
+        }
+    }
+    return t;
+}
+
+template <class T>
+Pixel Caster<T>::emission_absorption(const LatticeRay& ray) {
+    const Classification& classes = scene_.classification;
+    if (ray.entry_by_cut && ray.entry_capped) {
+        const double value = sample(ray, ray.from);
+        if (classes.at(value).opacity > 0) return cap(ray, value);
+    }
+    glm::dvec3 color(0);
+    double alpha = 0, depth = k_nothing;
+    for (std::int64_t k = ray.first; k < ray.end; ++k) {
+        const double t = ray.sample_t(k), value = sample(ray, t);
+        ++counters.samples;
+        if (std::isnan(value)) continue;
+        const ColorOpacity seen = classes.at(value);
+        if (!(seen.opacity > 0)) continue;
+        const int range = classes.range_of(value);
+        const TransferFunction& tf = range >= 0 && classes.ranges[range].tf ? *classes.ranges[range].tf : classes.tf;
+
+        double opacity = seen.opacity, c = 0;
+        if (scene_.shading != Shading::none || !tf.gradient_opacity.empty()) {
+            const glm::dvec3 gradient = field_.gradient(ray.at(t));
+            const double length = glm::length(gradient);
+            if (!tf.gradient_opacity.empty()) opacity *= tf.gradient_factor(length > 0 ? length : 0);
+            c = facing(ray, gradient);
+        }
+        const double a = correct_opacity(opacity, ray.step_mm, tf.unit_distance_mm);
+        color += (1 - alpha) * a * shade(scene_.shading, seen.color, c);
+        alpha += (1 - alpha) * a;
+        if (alpha > 0.5 && depth == k_nothing) depth = t;
+        if (plan_.ert > 0 && alpha > 1 - plan_.ert) break;
+    }
+    return {glm::dvec4(color, alpha), depth};
+}
+
+template <class T>
+Pixel Caster<T>::extreme(const LatticeRay& ray, bool smallest) {
+    double best = smallest ? k_nothing : -k_nothing, best_t = k_nothing;
+    for_each_counted(ray, [&](double t, double value) {
+        if (smallest ? value < best : value > best) {
+            best = value;
+            best_t = t;
+        }
+        return true;
+    });
+    return std::isinf(best) ? Pixel{} : projected(best, best_t);
+}
+
+template <class T>
+Pixel Caster<T>::local_maximum(const LatticeRay& ray) {
+    double largest = -k_nothing, largest_t = k_nothing, before = -k_nothing, before_t = k_nothing;
+    for_each_counted(ray, [&](double t, double value) {
+        if (before >= scene_.lmip_threshold && value < before) return false;
+        if (value > largest) {
+            largest = value;
+            largest_t = t;
+        }
+        before = value;
+        before_t = t;
+        return true;
+    });
+    if (std::isinf(largest)) return {};
+    return before >= scene_.lmip_threshold ? projected(before, before_t) : projected(largest, largest_t);
+}
+
+template <class T>
+Pixel Caster<T>::mean(const LatticeRay& ray) {
+    double sum = 0;
+    std::int64_t count = 0;
+    for_each_counted(ray, [&](double, double value) {
+        sum += value;
+        ++count;
+        return true;
+    });
+    return count == 0 ? Pixel{} : projected(sum / double(count), k_nothing);
+}
+
+}  // namespace lacuna::reference

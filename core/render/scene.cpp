@@ -1,0 +1,135 @@
+#include "core/render/scene.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/volume/statistics.h"
+
+namespace lacuna {
+
+namespace {
+
+constexpr std::array<std::pair<ViewMode, std::string_view>, 7> k_mode_names{{{ViewMode::iso, "iso"},
+                                                                             {ViewMode::ea, "ea"},
+                                                                             {ViewMode::mip, "mip"},
+                                                                             {ViewMode::lmip, "lmip"},
+                                                                             {ViewMode::minip, "minip"},
+                                                                             {ViewMode::mean, "mean"},
+                                                                             {ViewMode::shear_warp, "shear-warp"}}};
+constexpr std::array<std::pair<Shading, std::string_view>, 3> k_shading_names{
+    {{Shading::none, "none"}, {Shading::lambert, "lambert"}, {Shading::phong, "phong"}}};
+
+[[noreturn]] void refuse(const std::string& sentence) { throw Error(Errc::bad_usage, sentence); }
+
+bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+void check_color(const glm::dvec3& color, const char* name) {
+    for (int c = 0; c < 3; ++c)
+        if (!(color[c] >= 0 && color[c] <= 1))
+            refuse(std::string("Each part of the ") + name + " colour must lie between 0 and 1.");
+}
+
+void check_cuts(const std::vector<CuttingPlane>& cuts) {
+    if (cuts.size() > Scene::k_max_cuts)
+        refuse("A scene takes at most " + std::to_string(Scene::k_max_cuts) + " cutting planes, not " +
+               std::to_string(cuts.size()) + ".");
+    for (const CuttingPlane& cut : cuts) {
+        if (!finite(cut.normal) || !(glm::dot(cut.normal, cut.normal) > 0))
+            refuse("A cutting plane needs a normal a,b,c that is finite and not 0,0,0.");
+        if (!std::isfinite(cut.offset)) refuse("A cutting plane's offset must be a finite number.");
+    }
+}
+
+void check_classification(const Scene& scene) {
+    const auto& ranges = scene.classification.ranges;
+    if (ranges.size() > Classification::k_max_ranges)
+        refuse("A scene takes at most " + std::to_string(Classification::k_max_ranges) + " segmentation ranges, not " +
+               std::to_string(ranges.size()) + ".");
+    for (const SegmentationRange& range : ranges) {
+        if (!(range.range.lo <= range.range.hi))
+            refuse("A segmentation range's lower end must not exceed its upper end.");
+    }
+    const bool iso_like = scene.mode == ViewMode::iso || scene.mode == ViewMode::shear_warp;
+    if (scene.mode == ViewMode::ea || (scene.color_by_tf && !iso_like)) {
+        check(scene.classification.tf);
+        for (const SegmentationRange& range : ranges)
+            if (range.tf) check(*range.tf);
+    }
+}
+
+void check_camera(const Scene& scene) {
+    const Camera& camera = scene.camera;
+    if (!std::isfinite(camera.azimuth_deg) || !std::isfinite(camera.elevation_deg) || !std::isfinite(camera.roll_deg))
+        refuse("The camera's angles must be finite numbers.");
+    if (camera.center_mm && !finite(*camera.center_mm)) refuse("The camera's centre must be finite.");
+    if (scene.mode == ViewMode::shear_warp && camera.fov_deg)
+        refuse(
+            "Shear-warp is orthographic only; take the perspective away, or use mode iso, ea, mip, lmip, minip or "
+            "mean.");
+    resolve(camera, scene.volume.geometry(), scene.size);
+}
+
+void check_highlights(const std::vector<Highlight>& highlights) {
+    for (const Highlight& highlight : highlights) {
+        const glm::ivec3 size = highlight.size;
+        if (size.x < 0 || size.y < 0 || size.z < 0 || !highlight.inside ||
+            highlight.inside->size() != std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z))
+            refuse("A highlight must hold one byte for each voxel of its box.");
+        check_color(highlight.color, "highlight");
+        if (!(highlight.opacity >= 0 && highlight.opacity <= 1))
+            refuse("A highlight's opacity must lie between 0 and 1.");
+    }
+}
+
+template <class Names>
+auto parse(const Names& names, std::string_view text, const char* what) {
+    std::string known;
+    for (const auto& [value, name] : names) {
+        if (name == text) return value;
+        known += (known.empty() ? "" : ", ") + std::string(name);
+    }
+    refuse("There is no " + std::string(what) + " '" + std::string(text) + "'; known are " + known + ".");
+}
+
+template <class Names, class Value>
+std::string_view name_in(const Names& names, Value wanted) {
+    for (const auto& [value, name] : names)
+        if (value == wanted) return name;
+    return "";
+}
+
+}  // namespace
+
+std::string_view name_of(ViewMode mode) { return name_in(k_mode_names, mode); }
+std::string_view name_of(Shading shading) { return name_in(k_shading_names, shading); }
+ViewMode parse_view_mode(std::string_view text) { return parse(k_mode_names, text, "view mode"); }
+Shading parse_shading(std::string_view text) { return parse(k_shading_names, text, "shading"); }
+
+Scene default_scene(const Volume& volume, const VolumeStatistics& statistics) {
+    Scene scene;
+    scene.volume = volume;
+    scene.iso = otsu_threshold(statistics);
+    scene.classification.tf = fit_transfer_function(volume, statistics);
+    scene.window = statistics.range;
+    if (!(scene.window.hi > scene.window.lo)) scene.window.hi = scene.window.lo + 1;  // a constant volume is black
+    scene.lmip_threshold = scene.iso;
+    return scene;
+}
+
+void check(const Scene& scene) {
+    if (scene.volume.empty()) refuse("The scene holds no volume; open one first.");
+    check_camera(scene);
+    check_cuts(scene.cuts);
+    check_classification(scene);
+    if (!std::isfinite(scene.iso)) refuse("The isovalue must be a finite number.");
+    if (!std::isfinite(scene.lmip_threshold)) refuse("The LMIP threshold must be a finite number.");
+    if (!(scene.window.lo < scene.window.hi) || !std::isfinite(scene.window.width()))
+        refuse("The grey window's lower end must be below its upper end.");
+    check_color(scene.surface_color, "surface");
+    check_color(scene.background, "background");
+    check_highlights(scene.highlights);
+}
+
+}  // namespace lacuna
