@@ -1,0 +1,58 @@
+#include "app/input_options.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "app/parse.h"
+
+namespace lacuna::cli {
+
+namespace {
+constexpr std::uint64_t k_mb = std::uint64_t(1) << 20;
+
+std::uint64_t machine_memory_bytes() {
+    return std::uint64_t(::sysconf(_SC_PHYS_PAGES)) * std::uint64_t(::sysconf(_SC_PAGE_SIZE));
+}
+}  // namespace
+
+void InputOptions::add_to(CLI::App& command, bool required) {
+    command.add_option("INPUT", input, "folder, volume file, or sample:NAME[@SIZE]")->required(required);
+    command.add_option("--raw", open.raw, "layout of a raw file: WxHxD:TYPE[:SX,SY,SZ][:be][:+OFFSET]");
+    command.add_option("--series", open.series, "which series of a folder: its number or UID");
+    command.add_flag("--keep-gaps", open.keep_gaps, "refuse a series with missing slices instead of interpolating");
+    command.add_option("--memory-limit", memory_limit_text, "MB it may use (default: 75 % of the machine's memory)");
+}
+
+void InputOptions::check() const {
+    if (!memory_limit_text.empty()) parse_integer("--memory-limit", memory_limit_text, 1, std::int64_t(1) << 30);
+}
+
+std::uint64_t InputOptions::memory_limit_bytes() const {
+    if (memory_limit_text.empty()) return machine_memory_bytes() / 4 * 3;
+    return std::uint64_t(parse_integer("--memory-limit", memory_limit_text, 1, std::int64_t(1) << 30)) * k_mb;
+}
+
+void InputOptions::require_memory(std::uint64_t bytes, const std::string& what) const {
+    const std::uint64_t limit = memory_limit_bytes();
+    if (bytes <= limit) return;
+    throw Error(Errc::out_of_memory,
+                fmt::format("{} takes {} MB and the limit is {} MB; raise --memory-limit or use a smaller volume.",
+                            what, (bytes + k_mb - 1) / k_mb, limit / k_mb));
+}
+
+Volume InputOptions::load(const Console& console) const {
+    check();
+    if (!memory_limit_text.empty() && open.series.empty() && open.raw.empty()) {
+        // Before reading: a voxel has a byte at least.
+        const std::vector<SeriesEntry> found = list_series(input, console.job("Looking"));
+        if (found.size() == 1) {
+            const glm::ivec3 size = glm::max(found[0].size, 0);
+            require_memory(std::uint64_t(size.x) * std::uint64_t(size.y) * std::uint64_t(size.z), "The volume");
+        }
+    }
+    Volume volume = open_volume(input, open, console.job("Reading"));
+    require_memory(volume.bytes(), "The volume");
+    return volume;
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "app/console.h"
+#include "core/io/volume_reader.h"
+
+namespace lacuna::cli {
+
+/// INPUT and the flags that say how to open it, the same for every subcommand.
+struct InputOptions {
+    std::string input;
+    OpenOptions open;
+    std::string memory_limit_text;
+
+    /// Adds the positional INPUT (required unless told) and --raw, --series, --keep-gaps, --memory-limit.
+    void add_to(CLI::App& command, bool required = true);
+    /// Checks the flags' words without touching a file. @throws Error(bad_usage)
+    void check() const;
+    /// Bytes this run may use: --memory-limit, else 75 % of the machine's memory.
+    std::uint64_t memory_limit_bytes() const;
+    /// Opens the input. @throws what open_volume throws; Error(out_of_memory) naming need and limit
+    Volume load(const Console& console) const;
+    /// @throws Error(out_of_memory) naming both numbers when `bytes` for `what` is over the limit
+    void require_memory(std::uint64_t bytes, const std::string& what) const;
+};
+
+}  // namespace lacuna::cli

@@ -1,0 +1,186 @@
+// lacuna regions: cuts a volume into regions and measures each.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/command.h"
+#include "app/input_options.h"
+#include "app/parse.h"
+#include "core/base/atomic_file.h"
+#include "core/io/mesh_writer.h"
+#include "core/io/volume_writer.h"
+#include "core/regions/regions.h"
+
+namespace lacuna::cli {
+
+namespace {
+
+struct RegionsWords {
+    InputOptions input;
+    std::optional<std::string> range_width, threshold, background, connectivity, min_voxels;
+    std::string labels, mesh_folder, mesh_format = "stl", json, csv;
+    bool inner = false;
+};
+
+/// The words that need no volume; threshold ends are resolved later.
+RegionOptions parse_options(const RegionsWords& words) {
+    words.input.check();
+    if (words.range_width.has_value() == words.threshold.has_value())
+        throw Error(Errc::bad_usage, "give either --range-width W or --threshold LO,HI.");
+    RegionOptions options;
+    if (words.range_width) {
+        options.range_width = parse_number("--range-width", *words.range_width);
+        if (!(*options.range_width >= 0 && *options.range_width <= 1))
+            refuse("--range-width", *words.range_width, "a share from 0 to 1");
+    }
+    if (words.threshold) parse_word_range("--threshold", *words.threshold);
+    if (words.background) {
+        if (!words.range_width) throw Error(Errc::bad_usage, "--background goes with --range-width.");
+        parse_word_range("--background", *words.background);
+    }
+    if (words.connectivity) {
+        const std::int64_t n = parse_integer("--connectivity", *words.connectivity, 0, 99);
+        if (n != 6 && n != 18 && n != 26) refuse("--connectivity", *words.connectivity, "6, 18 or 26");
+        options.connectivity = Connectivity(n);
+    }
+    if (words.min_voxels) options.min_voxels = parse_integer("--min-voxels", *words.min_voxels, 1, INT64_MAX);
+    const char* const formats[] = {"stl", "ply", "obj", "vtp"};
+    if (std::find(std::begin(formats), std::end(formats), words.mesh_format) == std::end(formats))
+        refuse("--mesh-format", words.mesh_format, "stl, ply, obj or vtp");
+    return options;
+}
+
+void check_targets(const RegionsWords& words) {
+    for (const std::string* target : {&words.labels, &words.json, &words.csv})
+        if (!target->empty()) check_target(*target);
+    if (words.mesh_folder.empty()) return;
+    std::error_code ec;
+    std::filesystem::create_directories(words.mesh_folder, ec);
+    check_target(std::filesystem::path(words.mesh_folder) / ("region." + words.mesh_format));
+}
+
+std::optional<ValueRange> resolve(const std::string& flag, const std::optional<std::string>& text,
+                                  const VolumeStatistics& statistics) {
+    if (!text) return std::nullopt;
+    const std::array<RangeEnd, 2> ends = parse_word_range(flag, *text);
+    const ValueRange range{ends[0].resolve(statistics), ends[1].resolve(statistics)};
+    if (range.lo > range.hi)
+        refuse(flag, *text, fmt::format("a range LO,HI here: it means {:.6g},{:.6g}", range.lo, range.hi));
+    return range;
+}
+
+/// Takes the regions that touch the volume's border out of table and labels; the rest keep their order.
+void keep_inner(RegionTable& table) {
+    std::vector<std::uint32_t> new_id(table.rows.size() + 1, 0);
+    std::vector<RegionCharacteristics> rows;
+    std::int64_t voxels = 0;
+    for (RegionCharacteristics& row : table.rows) {
+        if (row.touches_border) continue;
+        new_id[row.id] = std::uint32_t(rows.size() + 1);
+        row.id = new_id[row.id];
+        voxels += row.voxels;
+        rows.push_back(std::move(row));
+    }
+    for (RegionCharacteristics& row : rows) row.fraction = double(row.voxels) / double(voxels);
+    for (std::uint32_t& label : *table.labels.labels) label = new_id[label];
+    table.rows = std::move(rows);
+}
+
+std::string table_text(const RegionTable& table) {
+    constexpr std::size_t k_shown = 20;
+    std::string text =
+        fmt::format("{:>6} {:>10} {:>12} {:>8} {:>11} {:>10} {:>12} {:>6} {:>7} {:>11} {:>10} {:>11}  {}\n", "id",
+                    "voxels", "volume mm3", "share %", "surface mm2", "sphericity", "shape factor", "holes", "tunnels",
+                    "mean", "stddev", "diameter mm", "border");
+    for (std::size_t i = 0; i < std::min(k_shown, table.rows.size()); ++i) {
+        const RegionCharacteristics& r = table.rows[i];
+        text += fmt::format(
+            "{:>6} {:>10} {:>12.5g} {:>8.3g} {:>11.5g} {:>10.4f} {:>12.5g} {:>6} {:>7} {:>11.5g} {:>10.4g} {:>11.4g}  "
+            "{}\n",
+            r.id, r.voxels, r.volume_mm3, 100 * r.fraction, r.surface_mm2, r.sphericity, r.shape_factor, r.holes,
+            r.tunnels, r.mean, r.stddev, r.equivalent_diameter_mm, r.touches_border ? "yes" : "no");
+    }
+    if (table.rows.size() > k_shown) text += fmt::format("... and {} smaller\n", table.rows.size() - k_shown);
+    text += fmt::format("{} regions; {}; surface: {}\n", table.rows.size(), table.adjacency, table.surface_method);
+    return text;
+}
+
+void write_labels(const RegionTable& table, const std::string& target, const JobContext& job) {
+    const std::vector<std::uint32_t>& labels = *table.labels.labels;
+    if (table.rows.size() <= 65535) {
+        write_volume(make_volume<std::uint16_t>(table.labels.geometry,
+                                                [&](std::span<std::uint16_t> out) {
+                                                    std::transform(labels.begin(), labels.end(), out.begin(),
+                                                                   [](std::uint32_t id) { return std::uint16_t(id); });
+                                                }),
+                     target, job);
+        return;
+    }
+    if (table.rows.size() > (1u << 24))
+        throw Error(Errc::unsupported,
+                    "There are more than 16777216 regions, which no label file can tell apart; "
+                    "raise --min-voxels.");
+    write_volume(
+        make_volume<float>(table.labels.geometry,
+                           [&](std::span<float> out) { std::copy(labels.begin(), labels.end(), out.begin()); }),
+        target, job);
+}
+
+void write_meshes(const RegionTable& table, const RegionsWords& words, const JobContext& job) {
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const TriangleMesh mesh = region_mesh(table.labels, table.rows[i], JobContext{job.stop, nullptr});
+        write_mesh(mesh, std::filesystem::path(words.mesh_folder) /
+                             fmt::format("region-{:05}.{}", table.rows[i].id, words.mesh_format));
+        job.checkpoint(i + 1, table.rows.size());
+    }
+}
+
+int run_regions(const RegionsWords& words, Console& console) {
+    RegionOptions options = parse_options(words);
+    check_targets(words);
+    const Volume volume = words.input.load(console);
+    words.input.require_memory(volume.bytes() + 6 * std::uint64_t(volume.geometry().voxel_count()),
+                               "The volume with its region labels");
+    if (words.threshold || words.background) {
+        const VolumeStatistics statistics = compute_statistics(volume, console.job("Measuring"));
+        options.threshold = resolve("--threshold", words.threshold, statistics);
+        options.background = resolve("--background", words.background, statistics);
+    }
+    RegionTable table = find_regions(volume, options, console.job("Finding regions"));
+    if (words.inner) keep_inner(table);
+    if (!words.labels.empty()) write_labels(table, words.labels, console.job("Writing labels"));
+    if (!words.mesh_folder.empty()) write_meshes(table, words, console.job("Writing meshes"));
+    if (!words.json.empty()) write_file(words.json, regions_to_json(table));
+    if (!words.csv.empty()) write_file(words.csv, regions_to_csv(table));
+    console.print(table_text(table));
+    return 0;
+}
+
+}  // namespace
+
+void add_regions_command(CLI::App& app, Action& chosen) {
+    CLI::App* command = app.add_subcommand("regions", "cut a volume into regions and measure each");
+    command->footer(
+        "Example: lacuna regions sample:casting --threshold min,otsu --inner --csv pores.csv\n"
+        "Prints the 20 largest regions; the files hold them all.");
+    auto words = std::make_shared<RegionsWords>();
+    words->input.add_to(*command);
+    command->add_option("--range-width", words->range_width,
+                        "grow homogeneous regions: values span at most this share (0..1) of the volume's range");
+    command->add_option("--threshold", words->threshold,
+                        "components of the values LO,HI; each end a number, min, otsu or max");
+    command->add_option("--background", words->background, "values LO,HI never grown (with --range-width)");
+    command->add_option("--connectivity", words->connectivity, "neighbours of a voxel: 6, 18 or 26 (default 6)");
+    command->add_option("--min-voxels", words->min_voxels, "leave out smaller regions (default 1)");
+    command->add_flag("--inner", words->inner, "leave out regions that touch the volume's border (air around a part)");
+    command->add_option("--labels", words->labels, "write the regions' ids as a volume, e.g. labels.nrrd");
+    command->add_option("--mesh", words->mesh_folder, "write one closed surface a region into this folder");
+    command->add_option("--mesh-format", words->mesh_format, "stl (default), ply, obj or vtp");
+    command->add_option("--json", words->json, "write the table as JSON");
+    command->add_option("--csv", words->csv, "write the table as CSV");
+    command->callback(
+        [&chosen, words] { chosen = [words](Console& console) { return run_regions(*words, console); }; });
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,113 @@
+// lacuna render: pictures of a volume.
+
+#include <fmt/format.h>
+
+#include "app/command.h"
+#include "app/device_list.h"
+#include "app/render_options.h"
+#include "app/render_stats.h"
+#include "core/base/atomic_file.h"
+#include "core/io/image_writer.h"
+#include "core/render/reference_renderer.h"
+
+namespace lacuna::cli {
+
+namespace {
+
+/// Volume, its copy on the device, and the frame as floats.
+std::uint64_t bytes_needed(const Volume& volume, glm::ivec2 size) {
+    constexpr std::uint64_t k_bytes_per_pixel = sizeof(glm::vec4) + sizeof(float);
+    return 2 * std::uint64_t(volume.bytes()) + std::uint64_t(size.x) * std::uint64_t(size.y) * k_bytes_per_pixel;
+}
+
+void merge_build(std::map<std::string, BuildRecord>& all, const std::map<std::string, BuildRecord>& frame) {
+    for (const auto& [name, made] : frame) {
+        BuildRecord& record = all[name];
+        record.ms = std::max(record.ms, made.ms);  // later frames find it cached: 0 ms
+        record.bytes = std::max(record.bytes, made.bytes);
+    }
+}
+
+/// Renders one view; with statistics once to warm, once for the time, once for the counters.
+Frame render_frame(Engine& engine, const Scene& scene, const Plan& plan, bool measure, const JobContext& job,
+                   RenderRecord& record) {
+    RenderResult result = engine.render(scene, plan, job.part(0, measure ? 0.4 : 1));
+    merge_build(record.build, result.build);
+    FrameRecord frame{scene.camera.azimuth_deg, result.frame.ms, {}};
+    if (measure) {
+        result = engine.render(scene, plan, job.part(0.4, 0.7));
+        frame.ms = result.frame.ms;
+        frame.counters = engine.render(scene, plan, job.part(0.7, 1), true).frame.counters;
+    }
+    record.frames.push_back(frame);
+    return std::move(result.frame);
+}
+
+/// The error against the brute-force picture in double precision; of several frames the worst is kept.
+void verify_frame(const Scene& scene, const Plan& plan, const Frame& frame, const JobContext& job,
+                  RenderRecord& record) {
+    const Plan truth = reference_plan(scene, plan);
+    ImageError error = compare(frame, render_reference(scene, truth, job), scene.background);
+    error.reference = fmt::format("reference renderer, structure none, ert {:g}, step {:g}, sampler {}", truth.ert,
+                                  truth.step, name_of(truth.sampler));
+    if (!record.error || !(error.max <= record.error->max)) record.error = error;
+}
+
+std::string summary(const RenderOptions& options, const Scene& scene, const Plan& plan, const RenderRecord& record) {
+    double ms = 0;
+    for (const FrameRecord& frame : record.frames) ms += frame.ms;
+    const std::string frames = record.frames.size() > 1 ? fmt::format("{} frames of ", record.frames.size()) : "";
+    std::string text =
+        fmt::format("{}: {}{}x{}, {}, {}, step {:g}, {:.4g} ms{} on {}\n", options.frame_path(0).string(), frames,
+                    scene.size.x, scene.size.y, name_of(scene.mode), name_of(plan.structure), plan.step,
+                    ms / double(record.frames.size()), record.frames.size() > 1 ? " each" : "", record.device);
+    if (record.error) text += "verified: " + error_text(*record.error) + "\n";
+    return text;
+}
+
+int run_render(RenderOptions& options, Console& console) {
+    if (options.device == "list") {
+        console.print(device_table(list_devices(true, console.job("Testing"))));
+        return 0;
+    }
+    options.parse();
+    for (int i = 0; i < options.turntable(); ++i) check_target(options.frame_path(i));
+    if (!options.stats.empty()) check_target(options.stats);
+
+    const Volume volume = options.input.load(console);
+    Scene scene = options.scene(volume, compute_statistics(volume, console.job("Measuring")));
+    options.input.require_memory(bytes_needed(volume, scene.size), "Rendering this volume");
+    const Plan plan = options.plan(scene);
+    check(scene);
+    check(plan, scene);
+
+    Engine engine(open_device(options.device, console.job("Testing devices")));
+    RenderRecord record;
+    record.device = engine.device_name();
+    const double azimuth = scene.camera.azimuth_deg;
+    const int frames = options.turntable();
+    for (int i = 0; i < frames; ++i) {
+        const JobContext job = console.job(frames > 1 ? fmt::format("Rendering {}/{}", i + 1, frames) : "Rendering");
+        scene.camera.azimuth_deg = azimuth + 360.0 * i / frames;
+        const Frame frame = render_frame(engine, scene, plan, !options.stats.empty(), job, record);
+        if (options.verify) verify_frame(scene, plan, frame, console.job("Verifying"), record);
+        write_png(options.frame_path(i), scene.size, to_rgb8(frame, scene.background));
+    }
+    scene.camera.azimuth_deg = azimuth;
+    if (!options.stats.empty()) write_file(options.stats, stats_json(scene, plan, record));
+    if (!console.quiet || options.verify) console.print(summary(options, scene, plan, record));
+    return 0;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Action& chosen) {
+    CLI::App* command = app.add_subcommand("render", "draw a picture of a volume");
+    command->footer("Example: lacuna render sample:head --mode iso --azimuth 30 --elevation 20 -o head.png");
+    auto options = std::make_shared<RenderOptions>();
+    options->add_to(*command);
+    command->callback(
+        [&chosen, options] { chosen = [options](Console& console) { return run_render(*options, console); }; });
+}
+
+}  // namespace lacuna::cli

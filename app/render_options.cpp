@@ -1,0 +1,226 @@
+#include "app/render_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/parse.h"
+
+namespace lacuna::cli {
+
+namespace {
+
+/// Runs a reader of core and puts the flag's name before its complaint.
+template <class Read>
+auto for_flag(const std::string& flag, Read&& read) {
+    try {
+        return read();
+    } catch (const Error& error) {
+        if (error.code() != Errc::bad_usage) throw;
+        throw Error(Errc::bad_usage, flag + ": " + error.what());
+    }
+}
+
+std::optional<double> optional_number(const std::string& flag, const std::optional<std::string>& text) {
+    return text ? std::optional(parse_number(flag, *text)) : std::nullopt;
+}
+
+}  // namespace
+
+void RenderOptions::add_to(CLI::App& command) {
+    input.add_to(command, false);
+    command.add_option("-o,--output", output, "picture to write, OUT.png");
+    const auto word = [&](const char* flag, std::optional<std::string>& text, const char* meaning) {
+        command.add_option(flag, text, meaning);
+    };
+    const auto words = [&](const char* flag, std::vector<std::string>& texts, const char* meaning) {
+        command.add_option(flag, texts, meaning)->allow_extra_args(false)->take_all();
+    };
+    word("--mode", words_.mode, "iso, ea (default), mip, lmip, minip, mean or shear-warp");
+    word("--iso", words_.iso, "isovalue (default: Otsu's threshold)");
+    word("--tf", words_.tf, "transfer function: FILE or preset:NAME (default: fitted)");
+    words("--range", words_.ranges, "LO,HI[:FILE|:preset:NAME]: values outside are transparent (repeat)");
+    words("--cut", words_.cuts, "a,b,c,d[:cap|open]: keep a*x+b*y+c*z+d >= 0, mm (repeat)");
+    word("--window", words_.window, "LO,HI: grey levels, black to white (default: all values)");
+    word("--lmip-threshold", words_.lmip_threshold, "least value of a local maximum (default: Otsu's threshold)");
+    word("--shading", words_.shading, "none, lambert or phong (default)");
+    word("--size", words_.size, "WxH in pixels (default 512x512)");
+    word("--azimuth", words_.azimuth, "degrees; 0 is the view from the front");
+    word("--elevation", words_.elevation, "degrees");
+    word("--roll", words_.roll, "degrees");
+    word("--zoom", words_.zoom, "1 shows the whole volume");
+    word("--center", words_.center, "x,y,z in mm (default: the volume's centre)");
+    word("--perspective", words_.perspective, "field of view, degrees (default: orthographic)");
+    word("--step", words_.step, "sample distance in smallest voxel spacings (default 0.5)");
+    word("--sampler", words_.sampler, "nearest or linear (default)");
+    word("--gradient", words_.gradient, "central, on-the-fly (the one there is)");
+    word("--refine", words_.refine, "none, bisect, regula-falsi (default) or newton (iso)");
+    word("--refine-steps", words_.refine_steps, "most refinement steps (default 5)");
+    word("--structure", words_.structure, "auto (default), none, macrocells or visible (shear-warp)");
+    word("--ert", words_.ert, "stop when opacity exceeds 1-E; 0: never (default 0.002)");
+    word("--turntable", words_.turntable, "N frames over 360 degrees: OUT-000.png ...");
+    command.add_flag("--verify", verify, "also render the reference and report the error");
+    command.add_option("--stats", stats, "write times, counters and errors as JSON");
+    command.add_option("--device", device, "OpenCL device: number, part of its name, or list");
+}
+
+RenderOptions::TfChoice RenderOptions::parse_tf(const std::string& flag, const std::string& text) {
+    constexpr std::string_view k_preset = "preset:";
+    if (!text.starts_with(k_preset)) return {"", load_transfer_function(text)};
+    const std::string name = text.substr(k_preset.size());
+    const std::vector<std::string> known = preset_names();
+    if (std::find(known.begin(), known.end(), name) == known.end())
+        refuse(flag, text, fmt::format("a known preset: {}", fmt::join(known, ", ")));
+    return {name, std::nullopt};
+}
+
+TransferFunction RenderOptions::TfChoice::resolve(const Volume& volume, const VolumeStatistics& statistics) const {
+    return loaded ? *loaded : make_preset(preset, volume, statistics);
+}
+
+RenderOptions::Range RenderOptions::parse_segmentation_range(const std::string& text) {
+    const std::size_t colon = text.find(':');
+    Range range;
+    range.name = text.substr(0, colon);
+    range.values = parse_range("--range", range.name);
+    if (colon != std::string::npos) range.tf = parse_tf("--range", text.substr(colon + 1));
+    return range;
+}
+
+CuttingPlane RenderOptions::parse_cut(const std::string& text) {
+    const std::size_t colon = text.find(':');
+    const std::vector<double> v = parse_numbers("--cut", text.substr(0, colon), 4);
+    CuttingPlane cut{{v[0], v[1], v[2]}, v[3], true};
+    if (colon != std::string::npos) {
+        const std::string kind = text.substr(colon + 1);
+        if (kind != "cap" && kind != "open") refuse("--cut", text, "a,b,c,d, a,b,c,d:cap or a,b,c,d:open");
+        cut.cap = kind == "cap";
+    }
+    return cut;
+}
+
+void RenderOptions::parse_camera() {
+    camera_.azimuth_deg = optional_number("--azimuth", words_.azimuth).value_or(camera_.azimuth_deg);
+    camera_.elevation_deg = optional_number("--elevation", words_.elevation).value_or(camera_.elevation_deg);
+    camera_.roll_deg = optional_number("--roll", words_.roll).value_or(camera_.roll_deg);
+    camera_.zoom = optional_number("--zoom", words_.zoom).value_or(camera_.zoom);
+    camera_.fov_deg = optional_number("--perspective", words_.perspective);
+    if (!(camera_.zoom > 0)) refuse("--zoom", *words_.zoom, "above 0");
+    if (camera_.fov_deg && !(*camera_.fov_deg > 0 && *camera_.fov_deg < 180))
+        refuse("--perspective", *words_.perspective, "between 0 and 180 degrees");
+    if (words_.center) {
+        const std::vector<double> v = parse_numbers("--center", *words_.center, 3);
+        camera_.center_mm = glm::dvec3(v[0], v[1], v[2]);
+    }
+    if (words_.size) size_ = parse_size("--size", *words_.size);
+    if (words_.turntable) turntable_ = int(parse_integer("--turntable", *words_.turntable, 1, 3600));
+}
+
+void RenderOptions::parse_plan() {
+    step_ = optional_number("--step", words_.step);
+    if (step_ && !(*step_ > 0)) refuse("--step", *words_.step, "above 0");
+    ert_ = optional_number("--ert", words_.ert);
+    if (ert_ && !(*ert_ >= 0 && *ert_ < 1)) refuse("--ert", *words_.ert, "from 0 to below 1");
+    if (words_.sampler) sampler_ = for_flag("--sampler", [&] { return parse_sampler(*words_.sampler); });
+    if (words_.refine) refine_ = for_flag("--refine", [&] { return parse_refinement(*words_.refine); });
+    if (words_.refine_steps) refine_steps_ = int(parse_integer("--refine-steps", *words_.refine_steps, 0, 100));
+    if (words_.structure && *words_.structure != "auto")
+        structure_ = for_flag("--structure", [&] { return parse_structure(*words_.structure); });
+    if (words_.gradient) {
+        const std::string& g = *words_.gradient;
+        if (g != "central" && g != "on-the-fly" && g != "central,on-the-fly" && g != "on-the-fly,central")
+            refuse("--gradient", g, "central, on-the-fly or central,on-the-fly");
+    }
+}
+
+void RenderOptions::check_combinations() const {
+    if (mode_ == ViewMode::shear_warp) {
+        if (camera_.fov_deg)
+            throw Error(Errc::bad_usage,
+                        "--perspective does not go with --mode shear-warp, which is orthographic only.");
+        if (verify)
+            throw Error(Errc::bad_usage,
+                        "--verify does not go with --mode shear-warp: the reference renderer has no such mode; "
+                        "compare with --mode iso.");
+    }
+    const std::string extension = std::filesystem::path(output).extension().string();
+    if (!extension.empty() && extension != ".png" && extension != ".PNG")
+        refuse("-o", output, "a .png file, the one kind of picture written");
+}
+
+/// Checks scene and plan on a tiny volume, so that no wrong word is found only after a long read.
+void RenderOptions::rehearse() const {
+    GridGeometry geometry;
+    geometry.size = {2, 2, 2};
+    const Volume tiny = make_volume<std::uint8_t>(geometry, [](std::span<std::uint8_t> voxels) {
+        for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = std::uint8_t(i);
+    });
+    const Scene trial = scene(tiny, compute_statistics(tiny));
+    lacuna::check(trial);
+    lacuna::check(plan(trial), trial);
+}
+
+void RenderOptions::parse() {
+    input.check();
+    if (input.input.empty()) throw Error(Errc::bad_usage, "INPUT is missing; see lacuna render --help.");
+    if (output.empty()) throw Error(Errc::bad_usage, "-o OUT.png is missing; see lacuna render --help.");
+    if (words_.mode) mode_ = for_flag("--mode", [&] { return parse_view_mode(*words_.mode); });
+    if (words_.shading) shading_ = for_flag("--shading", [&] { return parse_shading(*words_.shading); });
+    iso_ = optional_number("--iso", words_.iso);
+    lmip_threshold_ = optional_number("--lmip-threshold", words_.lmip_threshold);
+    if (words_.window) window_ = parse_range("--window", *words_.window);
+    parse_camera();
+    parse_plan();
+    for (const std::string& text : words_.cuts) cuts_.push_back(parse_cut(text));
+    check_combinations();
+    if (words_.tf) tf_ = parse_tf("--tf", *words_.tf);
+    for (const std::string& text : words_.ranges) ranges_.push_back(parse_segmentation_range(text));
+    rehearse();
+}
+
+Scene RenderOptions::scene(const Volume& volume, const VolumeStatistics& statistics) const {
+    Scene scene = default_scene(volume, statistics);
+    scene.mode = mode_;
+    scene.camera = camera_;
+    scene.size = size_;
+    scene.cuts = cuts_;
+    if (iso_) scene.iso = *iso_;
+    if (lmip_threshold_) scene.lmip_threshold = *lmip_threshold_;
+    if (window_) scene.window = *window_;
+    if (shading_) scene.shading = *shading_;
+    if (tf_) {
+        scene.classification.tf = tf_->resolve(volume, statistics);
+        scene.color_by_tf = true;
+    }
+    for (const Range& range : ranges_) {
+        SegmentationRange kept{range.name, range.values, std::nullopt};
+        if (range.tf) kept.tf = range.tf->resolve(volume, statistics);
+        scene.classification.ranges.push_back(std::move(kept));
+    }
+    return scene;
+}
+
+Plan RenderOptions::plan(const Scene& scene) const {
+    Plan plan = default_plan(scene);
+    const auto take = [&](auto& value, const auto& asked, const char* flag) {
+        if (!asked) return;
+        value = *asked;
+        plan.why.push_back(fmt::format("{} as asked for", flag));
+    };
+    take(plan.structure, structure_, "--structure");
+    take(plan.step, step_, "--step");
+    take(plan.sampler, sampler_, "--sampler");
+    take(plan.refine, refine_, "--refine");
+    take(plan.refine_steps, refine_steps_, "--refine-steps");
+    take(plan.ert, ert_, "--ert");
+    return plan;
+}
+
+std::filesystem::path RenderOptions::frame_path(int frame) const {
+    std::filesystem::path path = output;
+    if (turntable_ > 1)
+        path.replace_filename(fmt::format("{}-{:03}{}", path.stem().string(), frame, path.extension().string()));
+    return path;
+}
+
+}  // namespace lacuna::cli

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/input_options.h"
+#include "core/render/plan.h"
+#include "core/render/scene.h"
+
+namespace lacuna::cli {
+
+/// The words of `lacuna render` as typed, and what they mean.
+class RenderOptions {
+public:
+    InputOptions input;
+    std::string output, stats, device;
+    bool verify = false;
+
+    void add_to(CLI::App& command);
+    /// Reads every word, loads the transfer functions named, and checks all that can be checked without the volume.
+    /// @throws Error(bad_usage), Error(bad_input) and Error(io) of transfer-function files
+    void parse();
+
+    int turntable() const { return turntable_; }
+    /// What the words ask to see of a volume. @pre parse() was called
+    Scene scene(const Volume& volume, const VolumeStatistics& statistics) const;
+    /// How: the default plan with what was asked for. @pre parse() was called
+    Plan plan(const Scene& scene) const;
+    /// OUT.png, or OUT-007.png for frame 7 of a turntable.
+    std::filesystem::path frame_path(int frame) const;
+
+private:
+    /// A transfer function by name: a preset is fitted once the volume is known.
+    struct TfChoice {
+        std::string preset;
+        std::optional<TransferFunction> loaded;
+        TransferFunction resolve(const Volume& volume, const VolumeStatistics& statistics) const;
+    };
+    struct Range {
+        ValueRange values;
+        std::string name;
+        std::optional<TfChoice> tf;
+    };
+    struct Words {
+        std::optional<std::string> mode, iso, tf, window, shading, lmip_threshold, size, azimuth, elevation, roll, zoom,
+            center, perspective, step, sampler, gradient, refine, refine_steps, structure, ert, turntable;
+        std::vector<std::string> ranges, cuts;
+    };
+
+    static TfChoice parse_tf(const std::string& flag, const std::string& text);
+    static Range parse_segmentation_range(const std::string& text);
+    static CuttingPlane parse_cut(const std::string& text);
+    void parse_camera();
+    void parse_plan();
+    void check_combinations() const;
+    void rehearse() const;
+
+    Words words_;
+    ViewMode mode_ = ViewMode::ea;
+    std::optional<double> iso_, lmip_threshold_, step_, ert_;
+    std::optional<ValueRange> window_;
+    std::optional<Shading> shading_;
+    std::optional<TfChoice> tf_;
+    std::vector<Range> ranges_;
+    std::vector<CuttingPlane> cuts_;
+    Camera camera_;
+    glm::ivec2 size_{512, 512};
+    std::optional<Structure> structure_;
+    std::optional<Sampler> sampler_;
+    std::optional<Refinement> refine_;
+    std::optional<int> refine_steps_;
+    int turntable_ = 1;
+};
+
+}  // namespace lacuna::cli

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/accuracy/image_error.h"
+#include "core/render/engine.h"
+
+namespace lacuna::cli {
+
+/// What one frame took.
+struct FrameRecord {
+    double azimuth_deg = 0;
+    double ms = 0;  ///< one warm frame, from the call to the pixels on the host
+    Counters counters;
+};
+
+/// All that --stats writes.
+struct RenderRecord {
+    std::string device;
+    std::map<std::string, BuildRecord> build;
+    std::vector<FrameRecord> frames;
+    std::optional<ImageError> error;  ///< the worst frame's, when verified
+};
+
+/// The contract's statistics as JSON.
+std::string stats_json(const Scene& scene, const Plan& plan, const RenderRecord& record);
+
+/// "max error 0.42/255, mean 0.01/255, PSNR 61.2 dB, SSIM 0.9998, 0 pixels over 1/255".
+std::string error_text(const ImageError& error);
+
+}  // namespace lacuna::cli
