@@ -6,6 +6,7 @@
 
 #include "core/base/log.h"
 #include "core/compute/device_error.h"
+#include "core/compute/device_list.h"
 #include "core/compute/self_test.h"
 
 namespace lacuna {
@@ -127,12 +128,13 @@ FoundDevice& chosen_device(std::vector<FoundDevice>& found, const std::string& c
 
 /// The fastest usable device; nullptr when none is. With one candidate there is nothing to rank.
 FoundDevice* fastest_device(std::vector<FoundDevice>& found, const JobContext& job) {
-    FoundDevice* best = nullptr;
+    std::vector<DeviceInfo> infos;
     for (FoundDevice& one : found) {
         learn(one, found.size() > 1, job);
-        if (one.info.usable && (!best || one.info.rank_ms < best->info.rank_ms)) best = &one;
+        infos.push_back(one.info);
     }
-    return best;
+    const int best = fastest_index(infos);
+    return best < 0 ? nullptr : &found[std::size_t(best)];
 }
 
 void say_once_that_none_is_usable(const std::vector<FoundDevice>& found) {

@@ -41,8 +41,10 @@ private:
     bool unified_memory_ = false;
 };
 
-/// Lists every device of every platform. With `measure`, each is self-tested (a ramp sampled, a sum) and timed with a
-/// short kernel; a device that fails is listed with its fault, never trusted. Empty when there is no platform.
+/// Lists every device of every platform. Without `measure` nothing runs there: `usable` stays false. With `measure`,
+/// each is self-tested (a ramp sampled, a sum) and timed with a short kernel; a device that fails is listed with its
+/// fault, never trusted. What was learnt of a device is kept for the life of the process. Empty when there is no
+/// platform. @throws Error(cancelled)
 std::vector<DeviceInfo> list_devices(bool measure, const JobContext& job = {});
 
 /// Opens a device: "" takes the fastest usable by the measured ranking, "N" the index listed, else the first whose

@@ -50,8 +50,10 @@ std::string guard_name(std::string_view file) {
 
 class Expander {
 public:
+    explicit Expander(const SourceText& files) : files_(files) {}
+
     std::string expand(const std::string& name) {
-        const auto text = embedded_text(name);
+        const auto text = files_(name);
         if (!text) throw Error(Errc::kernel_build, "There is no kernel source \"" + name + "\" in this program.", name);
         out_.reserve(text->size() * 4);
         append(name, *text, false);
@@ -89,10 +91,10 @@ private:
 
     void include(const std::string& wanted, const std::string& from, int number, bool conditional) {
         std::string name = wanted;
-        auto text = embedded_text(name);
+        auto text = files_(name);
         if (!text) {  // beside the including file, as a C compiler looks
             name = from.substr(0, from.find_last_of('/') + 1) + wanted;
-            text = embedded_text(name);
+            text = files_(name);
         }
         if (!text)
             throw Error(Errc::kernel_build,
@@ -111,12 +113,15 @@ private:
         out_ += "#line " + std::to_string(number) + " \"" + name + "\"\n";
     }
 
+    const SourceText& files_;
     std::string out_;
     std::set<std::string> open_, always_;
 };
 
 }  // namespace
 
-std::string expand_kernel_source(const std::string& name) { return Expander().expand(name); }
+std::string expand_source(const std::string& name, const SourceText& files) { return Expander(files).expand(name); }
+
+std::string expand_kernel_source(const std::string& name) { return expand_source(name, embedded_text); }
 
 }  // namespace lacuna

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <future>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/compute/device.h"
@@ -30,6 +33,11 @@ ProgramKey program_key(const ComputeDevice& device, std::string source, const st
 /// @param name e.g. "render/raycast.cl"
 /// @throws Error(kernel_build) for an unknown name or include
 std::string expand_kernel_source(const std::string& name);
+
+/// The text of a source file by name; nothing for a file there is not.
+using SourceText = std::function<std::optional<std::string_view>(std::string_view name)>;
+/// expand_kernel_source over other files than the embedded ones. @throws Error(kernel_build)
+std::string expand_source(const std::string& name, const SourceText& files);
 
 /// Compiles and links for one device. @param label names the source in messages
 /// @throws Error(kernel_build): the sentence has the log's first error, about() the whole log

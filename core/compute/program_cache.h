@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <mutex>
 #include <optional>
 #include <string>
 
@@ -20,7 +19,8 @@ public:
     /// @param folder made when first needed; empty: nothing is kept
     explicit ProgramCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// LACUNA_CACHE, else $XDG_CACHE_HOME/lacuna/kernels, else ~/.cache/lacuna/kernels; empty when none is known.
+    /// LACUNA_CACHE (set but empty: keep nothing), else $XDG_CACHE_HOME/lacuna/kernels, else ~/.cache/lacuna/kernels;
+    /// empty when none is known.
     static std::filesystem::path default_folder();
 
     /// The binary stored for exactly this key; none when absent, damaged, or another key's.

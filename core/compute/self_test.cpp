@@ -45,13 +45,13 @@ cl::Buffer copied(ComputeDevice& device, const std::vector<T>& values) {
                       const_cast<T*>(values.data()));
 }
 
-std::string sampling_fault(ComputeDevice& device, ProgramLibrary& library) {
+std::string sampling_fault(ComputeDevice& device, ProgramLibrary& library, const std::string& source) {
     const std::vector<float> voxels = ramp_volume(k_nx, k_ny, k_nz);
     const std::vector<cl_float4> positions = test_positions();
     const cl::Buffer voxel_buffer = copied(device, voxels), position_buffer = copied(device, positions);
     const cl::Buffer value_buffer(device.context(), CL_MEM_WRITE_ONLY, k_samples * sizeof(float));
     cl::KernelFunctor<cl::Buffer, cl_int4, cl::Buffer, cl::Buffer, cl_int> sample(
-        library.kernel(k_source, "sample_positions", ""));
+        library.kernel_of_text(k_source, source, "sample_positions", ""));
     sample(cl::EnqueueArgs(device.queue(), cl::NDRange(256), cl::NDRange(16)), voxel_buffer,
            cl_int4{{k_nx, k_ny, k_nz, 0}}, position_buffer, value_buffer, k_samples);
     std::vector<float> values(k_samples, -1e30f);
@@ -64,7 +64,7 @@ std::string sampling_fault(ComputeDevice& device, ProgramLibrary& library) {
     return {};
 }
 
-std::string summing_fault(ComputeDevice& device, ProgramLibrary& library) {
+std::string summing_fault(ComputeDevice& device, ProgramLibrary& library, const std::string& source) {
     const int count = 1000;
     // 1 is always possible; sizes beyond it are what the reduction is about.
     const std::size_t limit = device.device().getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
@@ -75,7 +75,7 @@ std::string summing_fault(ComputeDevice& device, ProgramLibrary& library) {
     const cl::Buffer number_buffer = copied(device, numbers);
     const cl::Buffer sum_buffer(device.context(), CL_MEM_WRITE_ONLY, groups * sizeof(std::uint32_t));
     cl::KernelFunctor<cl::Buffer, cl::Buffer, cl::LocalSpaceArg, cl_int> sum(
-        library.kernel(k_source, "sum_groups", ""));
+        library.kernel_of_text(k_source, source, "sum_groups", ""));
     sum(cl::EnqueueArgs(device.queue(), cl::NDRange(std::size_t(groups) * group), cl::NDRange(group)), number_buffer,
         sum_buffer, cl::Local(group * sizeof(std::uint32_t)), count);
     std::vector<std::uint32_t> sums(groups, 0xffffffffu);
@@ -88,13 +88,14 @@ std::string summing_fault(ComputeDevice& device, ProgramLibrary& library) {
 
 }  // namespace
 
-std::string self_test_fault(ComputeDevice& device, ProgramLibrary& library, const JobContext& job) {
+std::string self_test_fault(ComputeDevice& device, ProgramLibrary& library, const JobContext& job,
+                            const std::string& source) {
     try {
         return with_device_errors("running its self-test", [&]() -> std::string {
             job.check();
-            if (std::string fault = sampling_fault(device, library); !fault.empty()) return fault;
+            if (std::string fault = sampling_fault(device, library, source); !fault.empty()) return fault;
             job.check();
-            return summing_fault(device, library);
+            return summing_fault(device, library, source);
         });
     } catch (const Error& failure) {
         if (failure.code() == Errc::cancelled) throw;
