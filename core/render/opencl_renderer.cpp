@@ -1,0 +1,278 @@
+#include "core/render/opencl_renderer.h"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+
+#include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
+#include "core/compute/buffers.h"
+#include "core/compute/device_error.h"
+#include "core/render/device_volume.h"
+
+namespace lacuna {
+
+namespace {
+
+constexpr int k_tile = 16;              // pixels: a work-group covers 16x16
+constexpr double k_band_ms = 8;         // a launch should take no longer, so that a stop is seen in time
+constexpr double k_float_slack = 1e-6;  // relative: interpolation may round beyond a cell's range
+
+enum class ClassKind { opacity, iso, ranges };
+
+ClassKind class_kind(ViewMode mode) {
+    if (mode == ViewMode::ea) return ClassKind::opacity;
+    return mode == ViewMode::iso ? ClassKind::iso : ClassKind::ranges;
+}
+
+bool needs_tables(const Scene& scene) { return scene.mode != ViewMode::iso; }
+
+int round_up(int n, int to) { return (n + to - 1) / to * to; }
+
+}  // namespace
+
+struct OpenClRenderer::CellClasses {
+    ClassKind kind;
+    Classification classification;
+    double iso = 0;
+    std::size_t bytes = 0;
+    cl::Buffer buffer;
+};
+
+struct OpenClRenderer::Tables {
+    Classification classification;
+    double step_mm = 0;
+    TransferTables host;
+    cl::Buffer opacity, color, gradient;
+};
+
+struct OpenClRenderer::Output {
+    glm::ivec2 padded{0};
+    cl::Buffer color, depth, counters;
+};
+
+OpenClRenderer::OpenClRenderer(std::shared_ptr<ComputeDevice> device, int lanes)
+    : device_(device), library_(device), lanes_(lanes ? lanes : (device->info().is_cpu ? 16 : 1)) {}
+
+OpenClRenderer::~OpenClRenderer() = default;
+
+std::size_t OpenClRenderer::bytes_held() const {
+    std::size_t bytes = 0;
+    if (volume_) bytes += volume_->extra_bytes();
+    if (cells_) bytes += cells_->bytes();
+    if (classes_) bytes += classes_->bytes;
+    if (output_) bytes += std::size_t(output_->padded.x) * std::size_t(output_->padded.y) * 20;
+    return bytes;
+}
+
+void OpenClRenderer::drop_caches() {
+    classes_.reset();
+    cells_.reset();
+    cell_ranges_ = {};
+    volume_.reset();
+    tables_.reset();
+    output_.reset();
+}
+
+void OpenClRenderer::hold_volume(const Volume& volume) {
+    if (volume_ && volume_->holds(volume)) return;
+    classes_.reset();
+    cells_.reset();
+    volume_.reset();  // the old one goes before the new one needs the memory
+    volume_ = std::make_unique<DeviceVolume>(*device_, volume);
+}
+
+const MacrocellGrid& OpenClRenderer::macrocells(const Scene& scene, const JobContext& job, RenderResult& result) {
+    BuildRecord& record = result.build["macrocells"];
+    if (!cells_) {
+        const Stopwatch watch;
+        cells_ = build_macrocells(scene.volume, 3, job);
+        cell_ranges_ = device_buffer(*device_, cells_->ranges.data(), cells_->ranges.size() * sizeof(glm::vec2));
+        record.ms += watch.ms();
+    }
+    record.bytes = cells_->bytes();
+    return *cells_;
+}
+
+void OpenClRenderer::classify(const Scene& scene, const TransferTables* tables, RenderResult& result) {
+    const ClassKind kind = class_kind(scene.mode);
+    const bool same = classes_ && classes_->kind == kind && classes_->classification == scene.classification &&
+                      (kind != ClassKind::iso || classes_->iso == scene.iso);
+    BuildRecord& record = result.build["macrocells"];
+    if (!same) {
+        const Stopwatch watch;
+        ValueRange values{0, 0};
+        bool any = false;
+        for (const glm::vec2& r : cells_->ranges) {
+            if (r.x > r.y) continue;
+            values = any ? ValueRange{std::min(values.lo, double(r.x)), std::max(values.hi, double(r.y))}
+                         : ValueRange{r.x, r.y};
+            any = true;
+        }
+        const VisibilityTable table =
+            kind == ClassKind::opacity ? VisibilityTable::of_opacity(scene.classification, values)
+            : kind == ClassKind::iso   ? VisibilityTable::of_iso(scene.classification, scene.iso, values)
+                                       : VisibilityTable::of_ranges(scene.classification, values);
+        double slack = k_float_slack * std::max(std::abs(values.lo), std::abs(values.hi));
+        if (kind == ClassKind::opacity && tables) slack += tables->slack;
+        const std::vector<std::uint8_t> classes = classify_macrocells(*cells_, table, slack);
+        auto next = std::make_unique<CellClasses>(CellClasses{kind, scene.classification, scene.iso, classes.size(),
+                                                              scratch_buffer(*device_, classes.size())});
+        device_->queue().enqueueWriteBuffer(next->buffer, CL_TRUE, 0, classes.size(), classes.data());
+        classes_ = std::move(next);
+        record.ms += watch.ms();
+    }
+    record.bytes += classes_->bytes;
+}
+
+void OpenClRenderer::make_tables(const Scene& scene, double step_mm) {
+    if (tables_ && tables_->step_mm == step_mm && tables_->classification == scene.classification) return;
+    auto next = std::make_unique<Tables>();
+    next->classification = scene.classification;
+    next->step_mm = step_mm;
+    next->host = make_transfer_tables(scene.classification, scene.volume.type(), step_mm);
+    const TransferTables& host = next->host;
+    const auto upload = [&](const void* data, std::size_t bytes) {
+        cl::Buffer buffer = scratch_buffer(*device_, bytes);
+        device_->queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, data);
+        return buffer;
+    };
+    next->opacity = upload(host.opacity.data(), host.opacity.size() * sizeof(float));
+    next->color = upload(host.color.data(), host.color.size() * sizeof(std::uint32_t));
+    if (host.uses_gradient)
+        next->gradient = upload(host.gradient_factor.data(), host.gradient_factor.size() * sizeof(float));
+    tables_ = std::move(next);
+}
+
+cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, bool count) {
+    std::string source = "render/raycast_mip.cl", name = "raycast_mip", extra;
+    if (scene.mode == ViewMode::iso) {
+        source = "render/raycast_iso.cl", name = "raycast_iso";
+    } else if (scene.mode == ViewMode::ea) {
+        source = "render/raycast_ea.cl", name = "raycast_ea";
+        extra = std::string(" -DLACUNA_GRADIENT_OPACITY=") + (tables_->host.uses_gradient ? "1" : "0");
+    } else {
+        const int projection = scene.mode == ViewMode::mip     ? 0
+                               : scene.mode == ViewMode::minip ? 1
+                               : scene.mode == ViewMode::mean  ? 2
+                                                               : 3;
+        extra = " -DLACUNA_PROJECTION=" + std::to_string(projection);
+    }
+    const std::string options = "-DLACUNA_LANES=" + std::to_string(lanes_) +
+                                " -DLACUNA_VOXEL=" + std::to_string(int(scene.volume.type())) +
+                                " -DLACUNA_SAMPLER=" + (plan.sampler == Sampler::linear ? "1" : "0") +
+                                " -DLACUNA_STRUCTURE=" + (plan.structure == Structure::macrocells ? "1" : "0") +
+                                " -DLACUNA_RANGES=" + (scene.classification.ranges.empty() ? "0" : "1") +
+                                " -DLACUNA_COUNT=" + (count ? "1" : "0") + extra;
+    const std::string key = name + options;
+    auto found = kernels_.find(key);
+    if (found == kernels_.end()) found = kernels_.emplace(key, library_.kernel(source, name, options)).first;
+    return found->second;
+}
+
+void OpenClRenderer::run_bands(cl::Kernel& kernel, glm::ivec2 padded, const JobContext& job) {
+    const int packet = lanes_ == 16 ? 4 : 1, group = lanes_ == 16 ? 4 : 8;
+    const int tile_rows = padded.y / k_tile;
+    const double tile_ms = ms_per_row_ * k_tile;
+    const int band = tile_ms > 0 ? std::clamp(int(k_band_ms / tile_ms), 1, tile_rows) : 1;
+    const Stopwatch watch;
+    std::deque<cl::Event> running;
+    for (int first = 0; first < tile_rows; first += band) {
+        const int rows = std::min(band, tile_rows - first) * k_tile;
+        cl::Event done;
+        device_->queue().enqueueNDRangeKernel(kernel, cl::NDRange(0, std::size_t(first * k_tile / packet)),
+                                              cl::NDRange(std::size_t(padded.x / packet), std::size_t(rows / packet)),
+                                              cl::NDRange(std::size_t(group), std::size_t(group)), nullptr, &done);
+        device_->queue().flush();
+        running.push_back(done);
+        if (running.size() > 1) {  // one band runs while the next is queued: the device never idles
+            running.front().wait();
+            running.pop_front();
+        }
+        if (job.stopped()) {
+            device_->queue().finish();
+            job.check();
+        }
+        if (job.progress) job.progress(double(first) / tile_rows);
+    }
+    device_->queue().finish();
+    ms_per_row_ = watch.ms() / padded.y;
+}
+
+void OpenClRenderer::read_frame(const Scene& scene, Frame& frame) {
+    const glm::ivec2 padded = output_->padded;
+    frame.size = scene.size;
+    frame.color.resize(frame.pixels());
+    frame.depth_mm.resize(frame.pixels());
+    const auto read = [&](const cl::Buffer& buffer, void* target, std::size_t pixel) {
+        const std::array<std::size_t, 3> origin{0, 0, 0};
+        const std::array<std::size_t, 3> region{std::size_t(scene.size.x) * pixel, std::size_t(scene.size.y), 1};
+        device_->queue().enqueueReadBufferRect(buffer, CL_TRUE, origin, origin, region, std::size_t(padded.x) * pixel,
+                                               0, std::size_t(scene.size.x) * pixel, 0, target);
+    };
+    read(output_->color, frame.color.data(), sizeof(glm::vec4));
+    read(output_->depth, frame.depth_mm.data(), sizeof(float));
+}
+
+RenderResult OpenClRenderer::render(const Scene& scene, const Plan& plan, const JobContext& job, bool count) {
+    return with_device_errors("rendering", [&] {
+        RenderResult result;
+        hold_volume(scene.volume);
+        const double step_mm = plan.step * scene.volume.geometry().smallest_spacing_mm();
+        if (needs_tables(scene)) make_tables(scene, step_mm);
+        const TransferTables* tables = needs_tables(scene) ? &tables_->host : nullptr;
+        const bool cells = plan.structure == Structure::macrocells;
+        if (cells) {
+            macrocells(scene, job, result);
+            classify(scene, tables, result);
+        }
+        cl::Kernel& cast = kernel(scene, plan, count);
+
+        const Stopwatch watch;
+        const glm::ivec2 padded(round_up(scene.size.x, k_tile), round_up(scene.size.y, k_tile));
+        const std::size_t pixels = std::size_t(padded.x) * std::size_t(padded.y);
+        const std::size_t items = pixels / std::size_t(lanes_);
+        if (!output_ || output_->padded != padded) {
+            output_ = std::make_unique<Output>(Output{padded,
+                                                      scratch_buffer(*device_, pixels * sizeof(glm::vec4)),
+                                                      scratch_buffer(*device_, pixels * sizeof(float)),
+                                                      {}});
+        }
+        if (count && !output_->counters()) output_->counters = scratch_buffer(*device_, items * sizeof(cl_uint4));
+        const RayParams params =
+            make_ray_params(scene, plan, volume_->stored_size(), tables, cells ? &*cells_ : nullptr, padded.x);
+        cl::Buffer constants(device_->context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof params,
+                             const_cast<RayParams*>(&params));
+
+        cl_uint arg = 0;
+        cast.setArg(arg++, volume_->voxels());
+        cast.setArg(arg++, constants);
+        if (scene.mode == ViewMode::ea) cast.setArg(arg++, tables_->opacity);
+        if (tables) cast.setArg(arg++, tables_->color);
+        cast.setArg(arg++, output_->color);
+        cast.setArg(arg++, output_->depth);
+        if (scene.mode == ViewMode::ea && tables->uses_gradient) cast.setArg(arg++, tables_->gradient);
+        if (cells) {
+            cast.setArg(arg++, classes_->buffer);
+            cast.setArg(arg++, cell_ranges_);
+        }
+        if (count) cast.setArg(arg++, output_->counters);
+
+        run_bands(cast, padded, job);
+        read_frame(scene, result.frame);
+        result.frame.ms = watch.ms();
+        if (count) {
+            std::vector<cl_uint4> counted(items);
+            read_values(*device_, output_->counters, std::span<cl_uint4>(counted));
+            for (const cl_uint4& c : counted) {
+                result.frame.counters.rays += c.s[0];
+                result.frame.counters.samples += c.s[1];
+                result.frame.counters.skipped += c.s[2];
+                result.frame.counters.structure_reads += c.s[3];
+            }
+        }
+        return result;
+    });
+}
+
+}  // namespace lacuna

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/accel/macrocells.h"
+#include "core/base/job.h"
+#include "core/compute/device.h"
+#include "core/compute/program.h"
+#include "core/render/engine.h"
+#include "core/render/frame.h"
+#include "core/render/plan.h"
+#include "core/render/ray_params.h"
+#include "core/render/scene.h"
+#include "core/render/transfer_tables.h"
+
+namespace lacuna {
+
+class DeviceVolume;
+
+/// Runs the ray-casting kernels on one device: iso, EA and the MIP family, by any structure that serves them. Keeps the
+/// volume on the device and the structures built from it until another volume comes. Not thread-safe: one frame at a
+/// time (Engine sees to that).
+class OpenClRenderer {
+public:
+    /// @param lanes  rays a work-item: 16 or 1; 0 takes 16 on CPU devices, else 1
+    explicit OpenClRenderer(std::shared_ptr<ComputeDevice> device, int lanes = 0);
+    ~OpenClRenderer();
+
+    /// @pre check(scene) and check(plan, scene) passed; the mode is not shear_warp
+    /// @param count  run the counting variant of the kernel and fill the frame's counters
+    RenderResult render(const Scene& scene, const Plan& plan, const JobContext& job, bool count);
+
+    std::size_t bytes_held() const;
+    void drop_caches();
+
+private:
+    struct CellClasses;
+    struct Output;
+
+    void hold_volume(const Volume& volume);
+    const MacrocellGrid& macrocells(const Scene& scene, const JobContext& job, RenderResult& result);
+    void classify(const Scene& scene, const TransferTables* tables, RenderResult& result);
+    void make_tables(const Scene& scene, double step_mm);
+    cl::Kernel& kernel(const Scene& scene, const Plan& plan, bool count);
+    void run_bands(cl::Kernel& kernel, glm::ivec2 padded, const JobContext& job);
+    void read_frame(const Scene& scene, Frame& frame);
+
+    std::shared_ptr<ComputeDevice> device_;
+    ProgramLibrary library_;
+    int lanes_;
+    std::map<std::string, cl::Kernel> kernels_;
+    std::unique_ptr<DeviceVolume> volume_;
+    std::optional<MacrocellGrid> cells_;
+    cl::Buffer cell_ranges_;
+    std::unique_ptr<CellClasses> classes_;
+    struct Tables;
+    std::unique_ptr<Tables> tables_;
+    std::unique_ptr<Output> output_;
+    double ms_per_row_ = 0;  ///< of the last frame: how many rows a launch may take
+};
+
+}  // namespace lacuna

@@ -1,0 +1,103 @@
+// Emission-absorption ray casting (scene.h, `ea`): front to back, opacity corrected for the step, early termination.
+//   volume     voxels, x fastest                         lut_opacity  float a table entry: opacity of one step, or with
+//   lut_color  11-11-10 bit colour a table entry                      LACUNA_GRADIENT_OPACITY per unit distance
+//   gradient_factor  1024 floats a row (only then)       color/depth  see output.clh
+#include "shared/ray_params.h"
+#include "include/packet.clh"
+#include "include/volume.clh"
+#include "include/ray.clh"
+#include "include/classify.clh"
+#include "include/shade.clh"
+#include "include/output.clh"
+
+typedef struct {
+    int unused;
+} Idle;
+#define IS_IDLE(state, cell_class, structure, cell) MASK(cell_class == (VI)(CELL_NONE))
+#include "include/skip.clh"
+
+#if LACUNA_GRADIENT_OPACITY
+#define GRADIENT_ARGS , global const float* restrict gradient_factor
+/// Opacity of one step from that per unit distance and the gradient's factor: 1-(1-a f)^(step/unit).
+inline VF faded(constant RayParams* p, global const float* factors, VF opacity, VF magnitude, VI row) {
+    VF scale = (VF)(p->grad_scale[0]), exponent = (VF)(p->exponent[0]);
+    for (int i = 1; i <= p->range_count; ++i) {
+        VI mine = MASK(row == (VI)(i));
+        scale = mine ? (VF)(p->grad_scale[i]) : scale;
+        exponent = mine ? (VF)(p->exponent[i]) : exponent;
+    }
+    VF entry = min_of(magnitude * scale, (VF)(1023.0f));
+    entry = MASK(entry == entry) ? entry : (VF)(0.0f);
+    VF clear = 1.0f - opacity * gather_float(factors, row * (VI)(1024) + TO_INT(entry + 0.5f));
+    return 1.0f - exp2(exponent * log2(max_of(clear, (VF)(1e-30f))));
+}
+#else
+#define GRADIENT_ARGS
+#endif
+
+kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams* p,
+                       global const float* restrict lut_opacity, global const uint* restrict lut_color,
+                       global float4* restrict out_color, global float* restrict out_depth
+                       GRADIENT_ARGS STRUCTURE_ARGS COUNTER_ARGS) {
+    const int x0 = (int)get_global_id(0) * PACKET_W, y0 = (int)get_global_id(1) * PACKET_H;
+    if (x0 >= p->out_stride || y0 >= p->height) return;
+    Rays r = make_rays(p, x0, y0);
+    const VF zero = (VF)(0.0f), one = (VF)(1.0f), floor_t = (VF)(p->min_transmittance);
+    VF3 c = {zero, zero, zero};
+    VF clear = one, depth = (VF)(INFINITY);   // clear: transmittance so far
+    COUNT(uint samples = 0; uint skipped = 0; uint reads = 0;)
+
+    VI capped = keeps_length(&r) & MASK(r.entry == (VI)(ENTRY_CAP));
+    if (any_lane(capped)) {
+        VF value = sample_volume(volume, p, ray_at(&r, r.enter));
+        VI row, inside = in_ranges(p, value, &row);
+        VI shown = capped & inside & MASK(gather_float(lut_opacity, lut_index(p, value, row)) > zero);
+        VF grey = grey_of(p, value);
+        c.x = c.y = c.z = shown ? grey : zero;
+        clear = shown ? zero : one;
+        depth = shown ? fma(r.enter, (VF)(p->step_mm), r.t0_mm) : depth;
+    }
+
+    const Idle idle = {0};
+    int k = min_lane(MASK(r.end > r.first) ? r.first : (VI)(0x7fffffff));
+    const int end = max_lane(r.end);
+    while (k < end) {
+        VI live = MASK(r.end > (VI)(k)) & MASK(clear >= floor_t) & MASK(clear > zero);
+        if (!any_lane(live)) break;
+        const Skip skip = next_sample(p, &r, STRUCTURE, &idle, k, end, live);
+        COUNT(reads += skip.reads; skipped += sum_lanes(counted(live) * (min_of_int((VI)(skip.next), r.end) - min_of_int((VI)(skip.next), max_of_int(r.first, (VI)(k)))));)
+        k = skip.next;
+        for (; k < skip.until; ++k) {
+            VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & MASK(clear >= floor_t) & MASK(clear > zero);
+            VF value = sample_volume(volume, p, ray_at(&r, (VF)((float)k)));
+            COUNT(samples += sum_lanes(counted(here));)
+            VI row, inside = in_ranges(p, value, &row);
+            VI entry = lut_index(p, value, row);
+            VF opacity = gather_float(lut_opacity, entry);
+            VI shown = here & inside & MASK(opacity > zero);
+            if (!any_lane(shown)) continue;
+            VF3 color = unpack_color(gather_uint(lut_color, entry));
+#if LACUNA_GRADIENT_OPACITY
+            VF magnitude, cosine = facing(p, &r, gradient(volume, p, ray_at(&r, (VF)((float)k))), &magnitude);
+            opacity = faded(p, gradient_factor, opacity, magnitude, row);
+            shade(p, cosine, &color);
+#else
+            if (p->shading != 0) {
+                VF magnitude;
+                shade(p, facing(p, &r, gradient(volume, p, ray_at(&r, (VF)((float)k))), &magnitude), &color);
+            }
+#endif
+            VF weight = shown ? clear * opacity : zero;
+            c.x = fma(weight, color.x, c.x);
+            c.y = fma(weight, color.y, c.y);
+            c.z = fma(weight, color.z, c.z);
+            VF left = clear - weight;
+            VI half_way = MASK(clear >= (VF)(0.5f)) & MASK(left < (VF)(0.5f));
+            depth = half_way ? fma((VF)((float)k), (VF)(p->step_mm), r.t0_mm) : depth;
+            clear = left;
+            if (!any_lane(MASK(r.end > (VI)(k)) & MASK(clear >= floor_t) & MASK(clear > zero))) break;
+        }
+    }
+    store_packet(p, out_color, out_depth, x0, y0, c, one - clear, depth + p->depth_bias_mm);
+    STORE_COUNTERS(sum_lanes(counted(r.hits_box)), samples, skipped, reads);
+}

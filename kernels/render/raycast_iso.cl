@@ -1,0 +1,123 @@
+// Isosurface ray casting (scene.h, `iso`): the first turn of the iso measure, refined in its bracket, one gradient.
+// A ray remembers only where it turned; all rays of a packet are refined and shaded together at the end.
+#include "shared/ray_params.h"
+#include "include/packet.clh"
+#include "include/volume.clh"
+#include "include/ray.clh"
+#include "include/classify.clh"
+#include "include/shade.clh"
+#include "include/output.clh"
+
+typedef struct {
+    VI inside;     // lanes that came in through an open cut and have not left the object yet
+} Idle;
+#define IS_IDLE(state, cell_class, structure, cell) \
+    MASK(cell_class == ((state)->inside ? (VI)(CELL_ALL) : (VI)(CELL_NONE)))
+#include "include/skip.clh"
+
+inline VF measure_at(global const voxel_t* volume, constant RayParams* p, const Rays* r, VF k) {
+    return iso_measure(p, sample_volume(volume, p, ray_at(r, k)));
+}
+
+/// The root of the measure in the bracket [a, b] (fractional samples, measures ga, gb of opposite sign): refine 1
+/// bisection, 2 regula falsi with the Illinois modification (Dowell & Jarratt 1971), 3 Newton.
+inline VF refine_hit(global const voxel_t* volume, constant RayParams* p, const Rays* r, VF a, VF b, VF ga, VF gb) {
+    VF estimate = p->refine == 1 ? 0.5f * (a + b) : b - gb * (b - a) / (gb - ga);
+    const VF half_one = (VF)(0.5f);
+    VI kept = (VI)(0);   // regula falsi: which end stayed last time, -1 a, 1 b
+    for (int i = 0; i < p->refine_steps; ++i) {
+        if (p->refine == 3) {
+            VF width = (VF)(0.1f);
+            VF g = measure_at(volume, p, r, estimate);
+            VF slope = (measure_at(volume, p, r, estimate + width) - measure_at(volume, p, r, estimate - width)) *
+                       (0.5f / 0.1f);
+            VF next = estimate - g / slope;
+            VI good = MASK(next >= a) & MASK(next <= b);   // false for NaN
+            estimate = good ? next : half_one * (a + b);
+            continue;
+        }
+        VF g = measure_at(volume, p, r, estimate);
+        VI with_b = MASK((g >= (VF)(0.0f)) == (gb >= (VF)(0.0f)));
+        ga = (with_b & MASK(kept == (VI)(-1))) ? ga * half_one : ga;
+        gb = (~with_b & MASK(kept == (VI)(1))) ? gb * half_one : gb;
+        b = with_b ? estimate : b;
+        gb = with_b ? g : gb;
+        a = with_b ? a : estimate;
+        ga = with_b ? ga : g;
+        kept = with_b ? (VI)(-1) : (VI)(1);
+        VF secant = b - gb * (b - a) / (gb - ga);
+        VI good = MASK(secant >= a) & MASK(secant <= b);
+        estimate = (p->refine == 2) ? (good ? secant : half_one * (a + b)) : half_one * (a + b);
+    }
+    return estimate;
+}
+
+kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParams* p,
+                        global float4* restrict out_color, global float* restrict out_depth
+                        STRUCTURE_ARGS COUNTER_ARGS) {
+    const int x0 = (int)get_global_id(0) * PACKET_W, y0 = (int)get_global_id(1) * PACKET_H;
+    if (x0 >= p->out_stride || y0 >= p->height) return;
+    Rays r = make_rays(p, x0, y0);
+    const VF zero = (VF)(0.0f);
+    const VI kept = keeps_length(&r);
+    COUNT(uint samples = 0; uint skipped = 0; uint reads = 0;)
+
+    // The entry itself: inside the object there, the ray hits the volume's side or the cap, or goes on (open cut).
+    VF entry_value = sample_volume(volume, p, ray_at(&r, r.enter));
+    VI starts_inside = kept & MASK(iso_measure(p, entry_value) >= zero);
+    VI face_hit = starts_inside & MASK(r.entry != (VI)(ENTRY_OPEN));
+    Idle state = {starts_inside & ~face_hit};
+
+    VI done = face_hit | ~kept;
+    VI hit_at = (VI)(-1);
+    int k = min_lane((MASK(r.end > r.first) & ~done) ? r.first : (VI)(0x7fffffff));
+    const int end = max_lane(done ? (VI)(0) : r.end);
+    while (k < end) {
+        VI live = MASK(r.end > (VI)(k)) & ~done;
+        if (!any_lane(live)) break;
+        const Skip skip = next_sample(p, &r, STRUCTURE, &state, k, end, live);
+        COUNT(reads += skip.reads; skipped += sum_lanes(counted(live) * (min_of_int((VI)(skip.next), r.end) - min_of_int((VI)(skip.next), max_of_int(r.first, (VI)(k)))));)
+        k = skip.next;
+        for (; k < skip.until; ++k) {
+            VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & ~done;
+            VF g = measure_at(volume, p, &r, (VF)((float)k));
+            COUNT(samples += sum_lanes(counted(here));)
+            VI turned = here & ((state.inside & MASK(g < zero)) | (~state.inside & MASK(g >= zero)));
+            state.inside &= ~(here & MASK(g != g));   // after a NaN the ray counts as outside
+            if (!any_lane(turned)) continue;
+            hit_at = turned ? (VI)(k) : hit_at;
+            done |= turned;
+            if (!any_lane(MASK(r.end > (VI)(k)) & ~done)) break;
+        }
+    }
+
+    VI surface_hit = MASK(hit_at >= (VI)(0)), any_hit = surface_hit | face_hit;
+    VF at = r.enter;
+    VF3 c = {zero, zero, zero};
+    if (any_lane(surface_hit)) {
+        VF b = TO_FLOAT(hit_at);
+        VF a = max_of(b - 1.0f, r.enter);
+        VF ga = measure_at(volume, p, &r, a), gb = measure_at(volume, p, &r, b);
+        VF estimate = p->refine == 0 ? b : refine_hit(volume, p, &r, a, b, ga, gb);
+        at = surface_hit ? (MASK(ga == ga) ? estimate : b) : at;   // no bracket behind a NaN sample
+    }
+    if (any_lane(any_hit)) {
+        VF magnitude, cosine = facing(p, &r, gradient(volume, p, ray_at(&r, at)), &magnitude);
+        // On the volume's own side the normal is the side's.
+        const float unit = 1.0f / p->step_mm;
+        VF nx = fabs(r.delta.x) * (p->spacing[0] * unit), ny = fabs(r.delta.y) * (p->spacing[1] * unit);
+        VF nz = fabs(r.delta.z) * (p->spacing[2] * unit);
+        VF side = MASK(r.face == (VI)(0)) ? nx : (MASK(r.face == (VI)(1)) ? ny : nz);
+        cosine = face_hit ? side : cosine;
+        VF3 color = {(VF)(p->surface_color[0]), (VF)(p->surface_color[1]), (VF)(p->surface_color[2])};
+        shade(p, cosine, &color);
+        VI capped = face_hit & MASK(r.entry == (VI)(ENTRY_CAP));
+        VF grey = grey_of(p, entry_value);
+        c.x = any_hit ? (capped ? grey : color.x) : zero;
+        c.y = any_hit ? (capped ? grey : color.y) : zero;
+        c.z = any_hit ? (capped ? grey : color.z) : zero;
+    }
+    VF depth = any_hit ? fma(at, (VF)(p->step_mm), r.t0_mm) + p->depth_bias_mm : (VF)(INFINITY);
+    store_packet(p, out_color, out_depth, x0, y0, c, any_hit ? (VF)(1.0f) : zero, depth);
+    STORE_COUNTERS(sum_lanes(counted(r.hits_box)), samples, skipped, reads);
+}

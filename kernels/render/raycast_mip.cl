@@ -1,0 +1,111 @@
+// The maximum-intensity family (scene.h): LACUNA_PROJECTION 0 mip, 1 minip, 2 mean, 3 lmip. Grey through the window or
+// the transfer function's colour; a ray without a counted sample leaves the background.
+#include "shared/ray_params.h"
+#include "include/packet.clh"
+#include "include/volume.clh"
+#include "include/ray.clh"
+#include "include/classify.clh"
+#include "include/output.clh"
+
+#define MIP 0
+#define MINIP 1
+#define MEAN 2
+#define LMIP 3
+
+typedef struct {
+    VF best;       // largest (smallest) value so far; -inf (+inf) before the first
+    VI rising;     // lmip: at or above the threshold, the local maximum not passed yet
+    VF threshold;
+} Idle;
+
+#if LACUNA_PROJECTION == MINIP
+#define CANNOT_WIN(state, s, cell) MASK(gather_float((global const float*)(s).cell_range, (cell) * 2) >= (state)->best)
+#elif LACUNA_PROJECTION == MEAN
+#define CANNOT_WIN(state, s, cell) ((VI)(0))
+#elif LACUNA_PROJECTION == LMIP
+#define CANNOT_WIN(state, s, cell) lmip_cannot_win(state, gather_float((global const float*)(s).cell_range, (cell) * 2 + 1))
+inline VI lmip_cannot_win(const Idle* state, VF largest) {
+    return ~state->rising & MASK(largest <= state->best) & MASK(largest < state->threshold);
+}
+#else
+#define CANNOT_WIN(state, s, cell) MASK(gather_float((global const float*)(s).cell_range, (cell) * 2 + 1) <= (state)->best)
+#endif
+#if LACUNA_PROJECTION == LMIP
+// The sample behind a maximum ends it, even one that the ranges hide: only rays not yet rising may skip hidden cells.
+#define IS_IDLE(state, cell_class, structure, cell) \
+    ((MASK(cell_class == (VI)(CELL_NONE)) & ~(state)->rising) | CANNOT_WIN(state, structure, cell))
+#else
+#define IS_IDLE(state, cell_class, structure, cell) \
+    (MASK(cell_class == (VI)(CELL_NONE)) | CANNOT_WIN(state, structure, cell))
+#endif
+#include "include/skip.clh"
+
+kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParams* p,
+                        global const uint* restrict lut_color,
+                        global float4* restrict out_color, global float* restrict out_depth
+                        STRUCTURE_ARGS COUNTER_ARGS) {
+    const int x0 = (int)get_global_id(0) * PACKET_W, y0 = (int)get_global_id(1) * PACKET_H;
+    if (x0 >= p->out_stride || y0 >= p->height) return;
+    Rays r = make_rays(p, x0, y0);
+    const VF zero = (VF)(0.0f);
+    COUNT(uint samples = 0; uint skipped = 0; uint reads = 0;)
+    Idle state = {(VF)(LACUNA_PROJECTION == MINIP ? INFINITY : -INFINITY), (VI)(0), (VF)(p->lmip_threshold)};
+    VI best_at = (VI)(0), found = (VI)(0), done = (VI)(0), best_row = (VI)(0);
+    VF sum = zero, compensation = zero;   // Kahan: thousands of samples in single precision
+    VI counted_samples = (VI)(0);
+
+    int k = min_lane(MASK(r.end > r.first) ? r.first : (VI)(0x7fffffff));
+    const int end = max_lane(r.end);
+    while (k < end) {
+        VI live = MASK(r.end > (VI)(k)) & ~done;
+        if (!any_lane(live)) break;
+        const Skip skip = next_sample(p, &r, STRUCTURE, &state, k, end, live);
+        COUNT(reads += skip.reads; skipped += sum_lanes(counted(live) * (min_of_int((VI)(skip.next), r.end) - min_of_int((VI)(skip.next), max_of_int(r.first, (VI)(k)))));)
+        k = skip.next;
+        for (; k < skip.until; ++k) {
+            VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & ~done;
+            VF value = sample_volume(volume, p, ray_at(&r, (VF)((float)k)));
+            COUNT(samples += sum_lanes(counted(here));)
+            VI row, counts = here & in_ranges(p, value, &row);
+#if LACUNA_PROJECTION == MEAN
+            VF term = (counts ? value : zero) - compensation;
+            VF next = sum + term;
+            compensation = (next - sum) - term;
+            sum = next;
+            counted_samples += counted(counts);
+            found |= counts;
+#else
+#if LACUNA_PROJECTION == LMIP
+            VI passed = here & state.rising & ~(counts & MASK(value >= state.best));
+            done |= passed;
+            counts &= ~passed;
+            state.rising |= counts & MASK(value >= state.threshold);
+#endif
+            VI better = counts & (LACUNA_PROJECTION == MINIP ? MASK(value < state.best) : MASK(value > state.best));
+            better |= counts & ~found;
+            state.best = better ? value : state.best;
+            best_at = better ? (VI)(k) : best_at;
+            found |= counts;
+#if LACUNA_PROJECTION == LMIP
+            if (!any_lane(MASK(r.end > (VI)(k)) & ~done)) break;
+#endif
+#endif
+        }
+    }
+#if LACUNA_PROJECTION == MEAN
+    state.best = sum / TO_FLOAT(max_of_int(counted_samples, (VI)(1)));
+#endif
+    VF grey = grey_of(p, state.best);
+    VF3 c = {grey, grey, grey};
+    if (p->color_by_tf) {
+        in_ranges(p, state.best, &best_row);
+        c = unpack_color(gather_uint(lut_color, lut_index(p, state.best, best_row)));
+    }
+    c.x = found ? c.x : zero;
+    c.y = found ? c.y : zero;
+    c.z = found ? c.z : zero;
+    VF depth = fma(TO_FLOAT(best_at), (VF)(p->step_mm), r.t0_mm) + p->depth_bias_mm;
+    depth = (found & (VI)(LACUNA_PROJECTION == MEAN ? 0 : -1)) ? depth : (VF)(INFINITY);
+    store_packet(p, out_color, out_depth, x0, y0, c, found ? (VF)(1.0f) : zero, depth);
+    STORE_COUNTERS(sum_lanes(counted(r.hits_box)), samples, skipped, reads);
+}
