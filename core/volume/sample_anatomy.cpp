@@ -21,24 +21,25 @@ void append(std::vector<Part>& to, std::vector<Part> more) {
 }
 
 Part skin() {
-    std::vector<Part> parts{ellipsoid({0, 8, 28}, {73, 91, 76}), ellipsoid({0, -28, -32}, {56, 57, 60}),
-                            capsule({0, 26, -50}, {0, 34, -150}, 47), ellipsoid({0, -64, -78}, {25, 20, 17}),
-                            ellipsoid({0, -76, 12}, {44, 11, 8})};
-    append(parts, both_sides([](double s) { return ellipsoid({s * 40, -52, -34}, {17, 18, 16}); }));
+    std::vector<Part> parts{bounded_ellipsoid({0, 8, 28}, {73, 91, 76}), bounded_ellipsoid({0, -28, -32}, {56, 57, 60}),
+                            capsule({0, 26, -50}, {0, 34, -150}, 47), bounded_ellipsoid({0, -64, -78}, {25, 20, 17}),
+                            capsule({-32, -74, 12}, {32, -74, 12}, 8)};
+    append(parts, both_sides([](double s) { return bounded_ellipsoid({s * 40, -52, -34}, {17, 18, 16}); }));
     Part face = unite(std::move(parts), 16);
     std::vector<Part> hollows = both_sides([](double s) { return ball({s * 32, -97, -5}, 19); });
     face = cut(std::move(face), unite(std::move(hollows)), 9);
     std::vector<Part> details{std::move(face), capsule({0, -84, 2}, {0, -98, -26}, 7), ball({0, -98, -29}, 9.5),
-                              ellipsoid({0, -84, -54}, {19, 7, 4.5}), ellipsoid({0, -83, -63}, {16, 7, 5})};
+                              capsule({-14, -85, -54}, {14, -85, -54}, 4.5),
+                              capsule({-11, -84, -63}, {11, -84, -63}, 5)};
     append(details, both_sides([](double s) { return ball({s * 9, -92, -33}, 6); }));
-    append(details, both_sides([](double s) { return ellipsoid({s * 31, -72, -5}, {14, 13, 11}); }));
-    append(details, both_sides([](double s) { return ellipsoid({s * 74, 16, -10}, {6, 15, 26}); }));
+    append(details, both_sides([](double s) { return bounded_ellipsoid({s * 31, -72, -5}, {14, 13, 11}); }));
+    append(details, both_sides([](double s) { return bounded_ellipsoid({s * 74, 16, -10}, {6, 15, 26}); }));
     return unite(std::move(details), 6);
 }
 
 Part bone() {
-    std::vector<Part> parts{ellipsoid({0, 8, 28}, {67, 85, 70}), ellipsoid({0, -32, -22}, {44, 44, 36}),
-                            ellipsoid({0, -66, 12}, {42, 12, 7})};
+    std::vector<Part> parts{bounded_ellipsoid({0, 8, 28}, {67, 85, 70}), bounded_ellipsoid({0, -32, -22}, {44, 44, 36}),
+                            bounded_ellipsoid({0, -66, 12}, {42, 12, 7})};
     append(parts, both_sides([](double s) { return capsule({s * 42, -52, -20}, {s * 61, -8, -14}, 5); }));
     append(parts, both_sides([](double s) { return capsule({s * 50, 2, -26}, {s * 47, -6, -64}, 7); }));
     append(parts, both_sides([](double s) { return capsule({s * 47, -6, -64}, {s * 15, -66, -80}, 8); }));

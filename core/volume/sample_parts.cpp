@@ -17,29 +17,35 @@ glm::dvec3 on_circle(double radius, double degrees, double z) {
     return {radius * std::cos(a), radius * std::sin(a), z};
 }
 
-/// A stiffening rib between body and flange: a plate on a radius, its upper edge falling outwards.
-Part rib(double degrees) {
-    const glm::dvec3 out = on_circle(1, degrees, 0), side = on_circle(1, degrees + 90, 0);
-    return {[=](const glm::dvec3& p) {
-        const double along = glm::dot(p, out), across = std::abs(glm::dot(p, side)) - 1.7;
+/// Six stiffening ribs between body and flange, their upper edges falling outwards. The plane is folded onto one sixth
+/// of itself, so that one plate stands for all six.
+Part ribs() {
+    constexpr double k_sixth = std::numbers::pi / 3;
+    return {[](const glm::dvec3& p) {
+        const double radius = std::hypot(p.x, p.y), turn = std::atan2(p.y, p.x);
+        const double angle = turn - (std::floor(turn / k_sixth) + 0.5) * k_sixth;
+        const double along = radius * std::cos(angle), across = std::abs(radius * std::sin(angle)) - 1.7;
         const double slope = (along - 14.5) * 0.8 + (p.z + 1) * 0.6;  // a unit normal
         return std::max({across, slope, 8 - along, along - 21.5, -19 - p.z, p.z - 12});
     }};
 }
 
-/// A bearing housing: hub with bore and counterbore, flange with six bolt holes, six ribs, a bored side boss.
+/// A bearing housing before drilling: hub, flange, ribs and a side boss, their joints filleted.
 Part housing() {
-    Part outer =
-        unite({cylinder({0, 0, 3}, 2, 15.5, 18, 1.2), cylinder({0, 0, -16.5}, 2, 22.8, 4.5, 1.0),
-               cylinder({11, 0, 6}, 0, 7.5, 11.5, 1.0), rib(30), rib(90), rib(150), rib(210), rib(270), rib(330)},
-              2.5);
+    return unite({cylinder({0, 0, 3}, 2, 15.5, 18, 1.2), cylinder({0, 0, -16.5}, 2, 22.8, 4.5, 1.0),
+                  cylinder({11, 0, 6}, 0, 7.5, 11.5, 1.0), ribs()},
+                 2.5);
+}
+
+/// Through bore, counterbores at both ends, the boss's bore and six bolt holes with their seats.
+std::vector<Part> drillings() {
     std::vector<Part> holes{cylinder({0, 0, 0}, 2, 6, 40), cylinder({0, 0, 22}, 2, 9.5, 7, 0.6),
                             cylinder({15, 0, 6}, 0, 3.2, 11), cylinder({0, 0, -22}, 2, 8.5, 3.5, 0.6)};
     for (int i = 0; i < 6; ++i) {
         holes.push_back(cylinder(on_circle(18.8, 60.0 * i, -16), 2, 1.9, 12));
         holes.push_back(cylinder(on_circle(18.8, 60.0 * i, -9.5), 2, 3.0, 3.5));
     }
-    return cut(std::move(outer), unite(std::move(holes)));
+    return holes;
 }
 
 struct Placer {
@@ -52,7 +58,7 @@ struct Placer {
         constexpr double k_clear_mm = 1.0;
         for (int attempt = 0; attempt < 20000; ++attempt) {
             const glm::dvec3 at{dice.between(-23, 23), dice.between(-23, 23), dice.between(-21, 21)};
-            // The distance of a cut part never promises more room than there is; fillets add a quarter of their size.
+            // The distance of a cut part never promises more room than there is.
             if (part.distance(at) > -(longest_mm + k_clear_mm)) continue;
             bool free = true;
             for (const SampleObject& other : objects) {
@@ -81,7 +87,7 @@ Scene casting(const SampleOptions& options) {
     scene.material = k_metal;
     scene.noise = 500;
     scene.blur_voxels = 0.7;
-    Part part = housing();
+    const Part part = cut(housing(), unite(drillings()));
     Dice dice(mix(options.seed));
     Placer placer{part, dice, scene.objects};
     struct Batch {
@@ -99,7 +105,7 @@ Scene casting(const SampleOptions& options) {
     Layer voids{k_air, {}}, inclusions{k_dense, {}};
     for (const SampleObject& o : scene.objects)
         (o.kind == "void" ? voids : inclusions).parts.push_back(ellipsoid(o.centre_mm, o.radii_mm));
-    scene.layers = {{k_metal, {std::move(part)}}, std::move(voids), std::move(inclusions)};
+    scene.layers = {{k_metal, {housing()}}, {k_air, drillings()}, std::move(voids), std::move(inclusions)};
     return scene;
 }
 

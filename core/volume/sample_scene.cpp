@@ -18,9 +18,9 @@ constexpr int k_block = 8;             ///< voxels along a block's edge: layers 
 constexpr int k_super_block = 32;      ///< the unit of parallel work: layers are culled here first
 constexpr double k_edge_sigmas = 4.5;  ///< beyond it the error function is 1 to a part in 10^5
 
-double union_distance(const std::vector<const Part*>& parts, const glm::dvec3& p) {
+double union_distance(const std::vector<Part>& parts, const glm::dvec3& p) {
     double least = std::numeric_limits<double>::infinity();
-    for (const Part* part : parts) least = std::min(least, part->distance(p));
+    for (const Part& part : parts) least = std::min(least, part.distance(p));
     return least;
 }
 
@@ -28,24 +28,24 @@ double union_distance(const std::vector<const Part*>& parts, const glm::dvec3& p
 /// so is everything beneath it.
 struct Painting {
     double base = 0;
-    std::vector<std::pair<double, std::vector<const Part*>>> layers;
+    std::vector<Layer> layers;
 
     Painting near(const glm::dvec3& centre, double radius_mm, double edge_mm) const {
         Painting out{base, {}};
         for (const auto& [level, parts] : layers) {
-            std::vector<const Part*> kept;
+            std::vector<Part> kept;
             bool covered = false;
-            for (const Part* part : parts) {
-                const double d = part->distance(centre);
-                const double reach = part->lipschitz * (radius_mm + part->lipschitz * edge_mm) + part->slack_mm;
+            for (const Part& part : parts) {
+                const double d = part.distance(centre);
+                const double reach = part.lipschitz * (radius_mm + part.lipschitz * edge_mm);
                 if (d > reach) continue;
                 covered = covered || d < -reach;
-                kept.push_back(part);
+                kept.push_back(part.near ? part.near(centre, radius_mm) : part);
             }
             if (covered)
                 out = {level, {}};
             else if (!kept.empty())
-                out.layers.emplace_back(level, std::move(kept));
+                out.layers.push_back({level, std::move(kept)});
         }
         return out;
     }
@@ -104,12 +104,7 @@ template <class T>
 class Painter {
 public:
     Painter(const Scene& scene, std::span<T> voxels) : scene_(scene), grid_(scene.geometry), voxels_(voxels) {
-        all_.base = scene.background;
-        for (const Layer& layer : scene.layers) {
-            std::vector<const Part*> parts;
-            for (const Part& part : layer.parts) parts.push_back(&part);
-            all_.layers.emplace_back(layer.level, std::move(parts));
-        }
+        all_ = {scene.background, scene.layers};
         ramp_mm_ = grid_.smallest_spacing_mm();
         sigma_mm_ = scene.blur_voxels * ramp_mm_;
         edge_mm_ = std::max(k_edge_sigmas * sigma_mm_, 0.5 * ramp_mm_);
@@ -232,6 +227,11 @@ Part ellipsoid(glm::dvec3 centre, glm::dvec3 radii) {
     return {distance, longest / shortest};
 }
 
+Part bounded_ellipsoid(glm::dvec3 centre, glm::dvec3 radii) {
+    const double shortest = std::min({radii.x, radii.y, radii.z});
+    return {[=](const glm::dvec3& p) { return (glm::length((p - centre) / radii) - 1) * shortest; }};
+}
+
 Part capsule(glm::dvec3 from, glm::dvec3 to, double radius) { return tapered(from, to, radius, radius); }
 
 Part tapered(glm::dvec3 from, glm::dvec3 to, double radius_from, double radius_to) {
@@ -265,31 +265,55 @@ double smooth_min(double a, double b, double k) {
     return std::min(a, b) - 0.25 * h * h * k;
 }
 
-}  // namespace
+using SharedParts = std::shared_ptr<const std::vector<Part>>;
 
-Part unite(std::vector<Part> parts, double fillet_mm) {
+Part united(const SharedParts& parts, double fillet_mm) {
+    if (parts->size() == 1) return parts->front();
     Part out;
-    for (const Part& part : parts) {
-        out.lipschitz = std::max(out.lipschitz, part.lipschitz);
-        out.slack_mm += part.slack_mm + fillet_mm;
-    }
-    out.distance = [parts = std::move(parts), fillet_mm](const glm::dvec3& p) {
-        double least = parts.front().distance(p);
-        for (std::size_t i = 1; i < parts.size(); ++i) {
-            const double d = parts[i].distance(p);
+    for (const Part& part : *parts) out.lipschitz = std::max(out.lipschitz, part.lipschitz);
+    out.distance = [parts, fillet_mm](const glm::dvec3& p) {
+        double least = parts->front().distance(p);
+        for (std::size_t i = 1; i < parts->size(); ++i) {
+            const double d = (*parts)[i].distance(p);
             least = fillet_mm > 0 ? smooth_min(least, d, fillet_mm) : std::min(least, d);
         }
         return least;
     };
+    // A part further than the nearest by more than the fillet leaves the smooth minimum as it is, to the last bit.
+    out.near = [parts, fillet_mm](const glm::dvec3& centre, double radius_mm) {
+        std::vector<double> distances;
+        for (const Part& part : *parts) distances.push_back(part.distance(centre));
+        const double least = *std::min_element(distances.begin(), distances.end());
+        std::vector<Part> kept;
+        for (std::size_t i = 0; i < parts->size(); ++i) {
+            const Part& part = (*parts)[i];
+            if (distances[i] > least + 2 * radius_mm + fillet_mm) continue;
+            kept.push_back(part.near ? part.near(centre, radius_mm) : part);
+        }
+        return united(std::make_shared<const std::vector<Part>>(std::move(kept)), fillet_mm);
+    };
     return out;
 }
 
+}  // namespace
+
+Part unite(std::vector<Part> parts, double fillet_mm) {
+    return united(std::make_shared<const std::vector<Part>>(std::move(parts)), fillet_mm);
+}
+
 Part cut(Part from, Part what, double fillet_mm) {
+    const auto both = std::make_shared<const std::array<Part, 2>>(std::array{std::move(from), std::move(what)});
     Part out;
-    out.lipschitz = std::max(from.lipschitz, what.lipschitz);
-    out.slack_mm = from.slack_mm + what.slack_mm + fillet_mm;
-    out.distance = [a = std::move(from.distance), b = std::move(what.distance), fillet_mm](const glm::dvec3& p) {
-        return fillet_mm > 0 ? -smooth_min(-a(p), b(p), fillet_mm) : std::max(a(p), -b(p));
+    out.lipschitz = std::max((*both)[0].lipschitz, (*both)[1].lipschitz);
+    out.distance = [both, fillet_mm](const glm::dvec3& p) {
+        const double a = (*both)[0].distance(p), b = (*both)[1].distance(p);
+        return fillet_mm > 0 ? -smooth_min(-a, b, fillet_mm) : std::max(a, -b);
+    };
+    out.near = [both, fillet_mm](const glm::dvec3& centre, double radius_mm) {
+        const auto& [kept, removed] = *both;
+        const auto seen = [&](const Part& part) { return part.near ? part.near(centre, radius_mm) : part; };
+        const bool out_of_reach = removed.distance(centre) > -kept.distance(centre) + 2 * radius_mm + fillet_mm;
+        return out_of_reach ? seen(kept) : cut(seen(kept), seen(removed), fillet_mm);
     };
     return out;
 }

@@ -9,14 +9,16 @@
 // What the built-in samples are made of; used by the sample_*.cpp files alone.
 namespace lacuna::samples {
 
-/// Signed distance to a surface in mm, negative inside. The sign and the zero set are exact; off the surface the
+/// Signed distance to a surface in mm, negative inside. The sign and the zero set are exact; away from the surface the
 /// magnitude may be too small by any factor and too large by at most Part::lipschitz.
 using Distance = std::function<double(const glm::dvec3& mm)>;
 
 struct Part {
     Distance distance;
-    double lipschitz = 1;  ///< see Distance; the ratio of the longest to the shortest semi-axis of an ellipsoid
-    double slack_mm = 0;   ///< how far smooth unions inside may move the surface
+    /// Bounds how fast `distance` changes, and how much too large it can be. Parts of a unite() or cut() need 1.
+    double lipschitz = 1;
+    /// The part as seen from inside a ball of space: the same distances there, with less to evaluate. Null: itself.
+    std::function<Part(const glm::dvec3& centre, double radius_mm)> near = nullptr;
 };
 
 /// Parts of one material; the layer is their union. Later layers are painted over earlier ones.
@@ -59,11 +61,15 @@ std::uint64_t mix(std::uint64_t x);  ///< splitmix64 (Steele, Lea and Flood 2014
 
 // Distances
 Part ball(glm::dvec3 centre, double radius);
+/// Precise near the surface; its lipschitz is the ratio of the longest to the shortest semi-axis.
 Part ellipsoid(glm::dvec3 centre, glm::dvec3 radii);
+/// The same surface with a distance that is too small towards the long axes: fit for unite() and cut().
+Part bounded_ellipsoid(glm::dvec3 centre, glm::dvec3 radii);
 Part capsule(glm::dvec3 from, glm::dvec3 to, double radius);
 Part tapered(glm::dvec3 from, glm::dvec3 to, double radius_from, double radius_to);
 /// Cylinder along axis 0, 1 or 2 with rounded rims.
 Part cylinder(glm::dvec3 centre, int axis, double radius, double half_length, double rounding = 0);
+/// Union and difference; `fillet_mm` is the width of the rounding where two surfaces meet.
 Part unite(std::vector<Part> parts, double fillet_mm = 0);
 Part cut(Part from, Part what, double fillet_mm = 0);
 
