@@ -1,0 +1,103 @@
+// What cannot be done: one line, status 1 (130 when interrupted), nothing half-written.
+
+#include <csignal>
+#include <fstream>
+
+#include "tests/cli/program.h"
+
+namespace lacuna::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Failure = ProgramTest;
+
+void write_bytes(const std::string& file, std::size_t count) {
+    std::ofstream(file, std::ios::binary) << std::string(count, '\7');
+}
+
+TEST_F(Failure, InputThatIsNotThere) {
+    expect_failure(lacuna({"info", path("nothing.nrrd")}), 1, "nothing.nrrd");
+    expect_failure(lacuna({"info", path("no-folder")}), 1, "no-folder");
+    fs::create_directory(path("empty"));
+    expect_failure(lacuna({"info", path("empty")}), 1, "empty");
+}
+
+TEST_F(Failure, RawFileOfAnotherSizeNamesBothByteCounts) {
+    write_bytes(path("a.raw"), 1000);
+    const Outcome outcome = lacuna({"info", path("a.raw"), "--raw", "10x10x11:u8"});
+    expect_failure(outcome, 1, "1000");
+    EXPECT_NE(outcome.err.find("1100"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Failure, BrokenTransferFunctionFile) {
+    std::ofstream(path("tf.json")) << "{\"points\": [";
+    expect_failure(lacuna({"render", "sample:head@16", "-o", path("a.png"), "--tf", path("tf.json")}), 1, "tf.json");
+    expect_failure(lacuna({"render", "sample:head@16", "-o", path("a.png"), "--tf", path("none.json")}), 1,
+                   "none.json");
+    EXPECT_EQ(files(), std::vector<std::string>{"tf.json"});
+}
+
+TEST_F(Failure, TargetsThatCannotBeWrittenAreRefusedBeforeTheWork) {
+    // A volume this large takes seconds to make: the refusal must come before.
+    const Outcome outcome = lacuna({"render", "sample:casting@512", "-o", path("missing/a.png")});
+    expect_failure(outcome, 1, "missing");
+    EXPECT_LT(outcome.seconds, 2);
+    fs::create_directory(path("folder.png"));
+    expect_failure(lacuna({"render", "sample:casting@512", "-o", path("folder.png")}), 1, "folder.png");
+    expect_failure(lacuna({"render", "sample:casting@512", "-o", path("a.png"), "--stats", path("missing/s.json")}), 1,
+                   "missing");
+    expect_failure(lacuna({"regions", "sample:casting@512", "--threshold", "0,1", "--csv", path("missing/r.csv")}), 1,
+                   "missing");
+    expect_failure(lacuna({"convert", "sample:head@16", path("missing/a.nrrd")}), 1, "missing");
+    EXPECT_EQ(files(), std::vector<std::string>{"folder.png"});
+}
+
+TEST_F(Failure, UnknownVolumeEnding) {
+    expect_failure(lacuna({"convert", "sample:head@16", path("a.xyz")}), 2, "a.xyz");
+}
+
+TEST_F(Failure, DiskFullLeavesNoHalfWrittenFile) {
+    Surroundings full;
+    full.file_size_limit = 2000;
+    expect_failure(lacuna({"convert", "sample:marschner-lobb@40", path("a.nrrd")}, full), 1, "a.nrrd");
+    expect_failure(lacuna({"convert", "sample:head@40", path("a.mhd")}, full), 1, "a.");
+    full.file_size_limit = 100;
+    expect_failure(lacuna({"tf", "fit", "sample:head@16", "-o", path("tf.json")}, full), 1, "tf.json");
+    expect_failure(lacuna({"regions", "sample:spheres@32", "--threshold", "otsu,max", "--csv", path("r.csv")}, full), 1,
+                   "r.csv");
+    EXPECT_TRUE(files().empty()) << files().front();
+}
+
+TEST_F(Failure, FullStandardOutputIsNotSuccess) {
+    Surroundings full;
+    full.standard_output = "/dev/full";
+    expect_failure(lacuna({"info", "sample:head@16"}, full), 1, "standard output");
+}
+
+TEST_F(Failure, MemoryLimitNamesNeedAndLimit) {
+    const Outcome outcome =
+        lacuna({"render", "sample:casting@64", "-o", path("a.png"), "--size", "1024x1024", "--memory-limit", "2"});
+    expect_failure(outcome, 1, "limit is 2 MB");
+    expect_failure(lacuna({"info", "sample:casting@256", "--memory-limit", "20"}), 1, "limit is 20 MB");
+    EXPECT_TRUE(files().empty());
+}
+
+class Interrupt : public ProgramTest, public ::testing::WithParamInterface<int> {};
+
+TEST_P(Interrupt, GivesOneHundredAndThirtySoonAndLeavesNothing) {
+    Surroundings pressed;
+    pressed.signal = GetParam();
+    pressed.signal_after_ms = 300;
+    const Outcome outcome =
+        lacuna({"render", "sample:casting@1024", "-o", path("a.png"), "--size", "2048x2048"}, pressed);
+    expect_failure(outcome, 130, "interrupted");
+    EXPECT_LT(outcome.seconds, 5);
+    EXPECT_TRUE(files().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, ::testing::Values(SIGINT, SIGTERM));
+
+}  // namespace
+
+}  // namespace lacuna::test

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lacuna::test {
+
+/// What a run of the program came to.
+struct Outcome {
+    int status = -1;  ///< exit status; 1000 + N when signal N killed it
+    std::string out, err;
+    double seconds = 0;
+
+    /// Number of lines on standard error.
+    int error_lines() const;
+};
+
+/// How the program is started.
+struct Surroundings {
+    std::vector<std::pair<std::string, std::string>> environment;  ///< set on top of this process's
+    long file_size_limit = 0;  ///< bytes any written file may have; what is over it fails as a full disk does
+    int signal = 0;            ///< sent after signal_after_ms
+    int signal_after_ms = 0;
+    std::string standard_output;  ///< a file to send standard output to, instead of catching it
+};
+
+/// Starts `lacuna` with these words and waits for its end.
+Outcome lacuna(const std::vector<std::string>& words, const Surroundings& surroundings = {});
+
+/// A folder of its own for each test, gone afterwards.
+class ProgramTest : public ::testing::Test {
+protected:
+    ProgramTest();
+    ~ProgramTest() override;
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    /// Names of everything in the folder, sorted.
+    std::vector<std::string> files() const;
+    std::filesystem::path folder_;
+};
+
+/// Asserts the exit status and that standard error is one line that starts with "lacuna: " and holds `part`.
+void expect_failure(const Outcome& outcome, int status, const std::string& part);
+
+}  // namespace lacuna::test

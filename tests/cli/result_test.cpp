@@ -1,0 +1,208 @@
+// What the commands put out: the contract's keys, and numbers that agree with each other.
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/cli/program.h"
+
+namespace lacuna::test {
+
+namespace {
+
+using nlohmann::json;
+using Result = ProgramTest;
+
+std::string read(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::stringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+void expect_keys(const json& object, const std::vector<std::string>& keys) {
+    for (const std::string& key : keys) EXPECT_TRUE(object.contains(key)) << key;
+}
+
+TEST_F(Result, InfoJsonHasTheKeysAndTheRightNumbers) {
+    const Outcome outcome = lacuna({"info", "sample:head@32", "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const json info = json::parse(outcome.out);
+    expect_keys(info, {"dims", "spacing", "origin", "direction", "scalar", "range", "unit", "bytes", "sha256",
+                       "warnings", "dicom"});
+    const std::int64_t voxels =
+        info["dims"][0].get<std::int64_t>() * info["dims"][1].get<std::int64_t>() * info["dims"][2].get<std::int64_t>();
+    EXPECT_EQ(info["bytes"], voxels * 2);
+    EXPECT_EQ(info["scalar"], "i16");
+    EXPECT_EQ(info["unit"], "HU");
+    EXPECT_EQ(info["sha256"].get<std::string>().size(), 64u);
+    EXPECT_LT(info["range"][0], info["range"][1]);
+    EXPECT_EQ(info["direction"], json::parse("[[1,0,0],[0,1,0],[0,0,1]]"));
+}
+
+TEST_F(Result, ResultsDoNotDependOnTheLocale) {
+    Surroundings german;
+    german.environment = {{"LC_ALL", "de_DE.UTF-8"}, {"LANG", "de_DE.UTF-8"}};
+    const std::vector<std::string> words{"regions", "sample:spheres@32", "--threshold", "otsu,max",
+                                         "--csv",   path("r.csv")};
+    const Outcome plain = lacuna(words);
+    const std::string table = read(path("r.csv"));
+    EXPECT_EQ(lacuna(words, german).out, plain.out);
+    EXPECT_EQ(read(path("r.csv")), table);
+    EXPECT_EQ(lacuna({"render", "sample:head@16", "-o", path("a.png"), "--step", "0.5"}, german).status, 0);
+}
+
+TEST_F(Result, StatisticsHaveTheContractsKeys) {
+    const Outcome outcome = lacuna({"render", "sample:head@32", "-o", path("a.png"), "--size", "48x32", "--mode", "iso",
+                                    "--stats", path("s.json"), "--verify", "--azimuth", "30"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("verified: max error "), std::string::npos) << outcome.out;
+    EXPECT_EQ(outcome.err, "") << "no progress where standard error is no terminal";
+    const json stats = json::parse(read(path("s.json")));
+    expect_keys(stats, {"device", "input", "view", "plan", "build", "frames", "ms", "error"});
+    expect_keys(stats["input"], {"dims", "spacing", "type"});
+    expect_keys(stats["plan"], {"mode", "structure", "step", "sampler", "ert", "sparse", "why"});
+    expect_keys(stats["ms"], {"min", "median", "max"});
+    expect_keys(stats["error"], {"reference", "max", "mean", "psnr", "ssim", "pixels_over_budget"});
+    ASSERT_EQ(stats["frames"].size(), 1u);
+    expect_keys(stats["frames"][0], {"azimuth", "ms", "rays", "samples", "skipped", "structure_reads"});
+    EXPECT_EQ(stats["plan"]["mode"], "iso");
+    EXPECT_EQ(stats["view"]["azimuth"], 30);
+    EXPECT_GT(stats["frames"][0]["samples"], 0);
+    EXPECT_GT(stats["frames"][0]["ms"], 0);
+    EXPECT_GE(stats["error"]["max"], 0);
+    EXPECT_LE(stats["error"]["mean"], stats["error"]["max"]);
+}
+
+TEST_F(Result, StatisticsWithoutVerifyHaveNoError) {
+    ASSERT_EQ(
+        lacuna({"render", "sample:head@24", "-o", path("a.png"), "--size", "16x16", "--stats", path("s.json")}).status,
+        0);
+    EXPECT_TRUE(json::parse(read(path("s.json")))["error"].is_null());
+}
+
+TEST_F(Result, EveryModeMakesAPictureOfItsOwn) {
+    std::vector<std::string> pictures;
+    for (const char* mode : {"iso", "ea", "mip", "lmip", "minip", "mean", "shear-warp"}) {
+        const std::string target = path(std::string(mode) + ".png");
+        const Outcome outcome = lacuna({"render", "sample:casting@32", "-o", target, "--size", "64x64", "--mode", mode,
+                                        "--azimuth", "30", "--elevation", "20"});
+        ASSERT_EQ(outcome.status, 0) << mode << ": " << outcome.err;
+        const std::string bytes = read(target);
+        EXPECT_TRUE(bytes.starts_with("\x89PNG")) << mode;
+        for (const std::string& other : pictures) EXPECT_NE(bytes, other) << mode;
+        pictures.push_back(bytes);
+    }
+}
+
+TEST_F(Result, TurntableWritesNumberedFramesAllRound) {
+    const Outcome outcome = lacuna({"render", "sample:head@24", "-o", path("turn.png"), "--size", "24x24",
+                                    "--turntable", "4", "--stats", path("s.json"), "--azimuth", "10"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(files(),
+              (std::vector<std::string>{"s.json", "turn-000.png", "turn-001.png", "turn-002.png", "turn-003.png"}));
+    const json frames = json::parse(read(path("s.json")))["frames"];
+    ASSERT_EQ(frames.size(), 4u);
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(frames[std::size_t(i)]["azimuth"], 10 + 90 * i);
+    EXPECT_NE(read(path("turn-000.png")), read(path("turn-001.png")));
+}
+
+TEST_F(Result, QuietPrintsNothing) {
+    const Outcome outcome = lacuna({"render", "sample:head@16", "-o", path("a.png"), "--size", "16x16", "--quiet"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.out + outcome.err, "");
+}
+
+TEST_F(Result, RegionsTableFilesAgree) {
+    const Outcome outcome =
+        lacuna({"regions", "sample:spheres@48", "--threshold", "otsu,max", "--json", path("r.json"), "--csv",
+                path("r.csv"), "--labels", path("l.nrrd"), "--mesh", path("mesh"), "--min-voxels", "20"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const json table = json::parse(read(path("r.json")));
+    const json& rows = table.is_array() ? table : table["regions"];
+    ASSERT_GT(rows.size(), 1u);
+    expect_keys(rows[0], {"id", "voxels", "volume_mm3", "fraction", "surface_mm2", "shape_factor", "sphericity",
+                          "holes", "tunnels", "mean", "min", "max", "stddev", "centroid_mm", "bbox_mm",
+                          "equivalent_diameter_mm", "principal_lengths_mm", "touches_border"});
+    double fractions = 0;
+    for (const json& row : rows) {
+        fractions += row["fraction"].get<double>();
+        EXPECT_GE(row["voxels"], 20);
+        EXPECT_GE(row["shape_factor"].get<double>(), 36 * M_PI * (1 - 1e-9));
+    }
+    EXPECT_NEAR(fractions, 1, 1e-6);
+    std::stringstream csv(read(path("r.csv")));
+    std::size_t lines = 0;
+    for (std::string line; std::getline(csv, line);) ++lines;
+    EXPECT_EQ(lines, rows.size() + 1);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path("mesh")), {}), std::ptrdiff_t(rows.size()));
+    const json labels = json::parse(lacuna({"info", path("l.nrrd"), "--json"}).out);
+    EXPECT_EQ(labels["range"][1], rows.size());
+}
+
+TEST_F(Result, InnerLeavesOutWhatTouchesTheBorder) {
+    const std::vector<std::string> words{"regions", "sample:casting@64", "--threshold", "min,otsu",
+                                         "--json",  path("r.json")};
+    ASSERT_EQ(lacuna(words).status, 0);
+    const auto touching = [&] {
+        const json table = json::parse(read(path("r.json")));
+        int count = 0;
+        for (const json& row : table.is_array() ? table : table["regions"]) count += row["touches_border"].get<bool>();
+        return count;
+    };
+    EXPECT_GT(touching(), 0);
+    std::vector<std::string> inner = words;
+    inner.push_back("--inner");
+    ASSERT_EQ(lacuna(inner).status, 0);
+    EXPECT_EQ(touching(), 0);
+}
+
+TEST_F(Result, ConvertKeepsVoxelsAndGeometry) {
+    const json before = json::parse(lacuna({"info", "sample:head@24", "--json"}).out);
+    for (const char* name : {"a.nrrd", "a.mhd", "a.nii.gz", "a.raw"}) {
+        ASSERT_EQ(lacuna({"convert", "sample:head@24", path(name)}).status, 0) << name;
+        const Outcome outcome = lacuna({"info", path(name), "--json"});
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        const json after = json::parse(outcome.out);
+        EXPECT_EQ(after["sha256"], before["sha256"]) << name;
+        EXPECT_EQ(after["dims"], before["dims"]) << name;
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_NEAR(after["spacing"][i].get<double>(), before["spacing"][i].get<double>(), 1e-5) << name;
+    }
+}
+
+TEST_F(Result, DevicesSayWhatWasChosenAndWhy) {
+    const Outcome outcome = lacuna({"devices", "--json"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const json list = json::parse(outcome.out);
+    expect_keys(list, {"devices", "chosen", "why"});
+    EXPECT_FALSE(list["why"].get<std::string>().empty());
+    EXPECT_EQ(lacuna({"render", "--device", "list"}).status, 0);
+}
+
+TEST_F(Result, TransferFunctionsShownCanBeUsed) {
+    const Outcome names = lacuna({"tf", "list"});
+    ASSERT_EQ(names.status, 0);
+    std::stringstream lines(names.out);
+    int count = 0;
+    for (std::string name; std::getline(lines, name); ++count) {
+        const Outcome shown = lacuna({"tf", "show", name});
+        EXPECT_EQ(shown.status, 0) << name << shown.err;
+        EXPECT_GE(json::parse(shown.out)["points"].size(), 1u) << name;
+    }
+    EXPECT_EQ(count, 8);
+    ASSERT_EQ(lacuna({"tf", "fit", "sample:head@24", "-o", path("tf.json")}).status, 0);
+    EXPECT_EQ(
+        lacuna({"render", "sample:head@24", "-o", path("a.png"), "--size", "16x16", "--tf", path("tf.json")}).status,
+        0);
+    EXPECT_EQ(lacuna({"render", "sample:head@24", "-o", path("b.png"), "--size", "16x16", "--mode", "mip", "--tf",
+                      "preset:bone", "--range", "-200,1500:preset:skin"})
+                  .status,
+              0);
+}
+
+}  // namespace
+
+}  // namespace lacuna::test

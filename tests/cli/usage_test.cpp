@@ -1,0 +1,125 @@
+// The words of a call: what is accepted, what is refused with status 2, and how.
+
+#include "tests/cli/program.h"
+
+namespace lacuna::test {
+
+namespace {
+
+using Usage = ProgramTest;
+
+TEST_F(Usage, VersionNamesTheProgram) {
+    const Outcome outcome = lacuna({"--version"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_TRUE(outcome.out.starts_with("lacuna 0.")) << outcome.out;
+}
+
+TEST_F(Usage, EveryCommandHasHelpWithAnExample) {
+    const std::vector<std::vector<std::string>> commands{
+        {},          {"info"}, {"render"},     {"regions"},    {"convert"},
+        {"devices"}, {"tf"},   {"tf", "list"}, {"tf", "show"}, {"tf", "fit"}};
+    for (std::vector<std::string> words : commands) {
+        words.push_back("--help");
+        const Outcome outcome = lacuna(words);
+        EXPECT_EQ(outcome.status, 0);
+        EXPECT_NE(outcome.out.find("Example: lacuna"), std::string::npos) << words.front();
+        EXPECT_EQ(outcome.err, "");
+    }
+}
+
+TEST_F(Usage, NoCommandUnknownCommandAndUnknownFlagGiveTwo) {
+    expect_failure(lacuna({}), 2, "no command");
+    expect_failure(lacuna({"transmogrify"}), 2, "transmogrify");
+    expect_failure(lacuna({"info", "sample:head@16", "--colour", "red"}), 2, "--colour");
+    expect_failure(lacuna({"render", "sample:head@16", "-o", path("a.png"), "--verbose"}), 2, "--verbose");
+    expect_failure(lacuna({"info"}), 2, "INPUT");
+    expect_failure(lacuna({"render", "sample:head@16"}), 2, "-o");
+    expect_failure(lacuna({"render", "-o", path("a.png")}), 2, "INPUT");
+    expect_failure(lacuna({"regions", "sample:head@16"}), 2, "--threshold");
+    expect_failure(lacuna({"tf"}), 2, "tf");
+    expect_failure(lacuna({"render", "sample:head@16", "-o", path("a.png"), "--iso"}), 2, "--iso");
+    expect_failure(lacuna({"render", "sample:head@16", "-o", path("a.png"), "--iso", "1", "--iso", "2"}), 2, "--iso");
+    EXPECT_TRUE(files().empty());
+}
+
+struct BadWord {
+    const char *flag, *value;
+};
+
+class BadWords : public ProgramTest, public ::testing::WithParamInterface<BadWord> {};
+
+TEST_P(BadWords, RenderRefusesNamingFlagAndValue) {
+    const auto [flag, value] = GetParam();
+    const Outcome outcome = lacuna({"render", "sample:head@16", "-o", path("a.png"), flag, value});
+    expect_failure(outcome, 2, flag);
+    EXPECT_NE(outcome.err.find(value), std::string::npos) << outcome.err;
+    EXPECT_TRUE(files().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Render, BadWords,
+    ::testing::Values(BadWord{"--iso", "12x"}, BadWord{"--iso", "nan"}, BadWord{"--iso", "1e999"},
+                      BadWord{"--iso", "1,5"}, BadWord{"--iso", "0x10"}, BadWord{"--azimuth", "inf"},
+                      BadWord{"--zoom", "0"}, BadWord{"--zoom", "-1"}, BadWord{"--perspective", "180"},
+                      BadWord{"--perspective", "-5"}, BadWord{"--size", "512"}, BadWord{"--size", "0x5"},
+                      BadWord{"--size", "20000x20"}, BadWord{"--size", "64x64x64"}, BadWord{"--center", "1,2"},
+                      BadWord{"--center", "1,2,three"}, BadWord{"--range", "300,-200"}, BadWord{"--range", "1;2"},
+                      BadWord{"--range", "1,2,3"}, BadWord{"--cut", "1,0,0"}, BadWord{"--cut", "1,0,0,2:shut"},
+                      BadWord{"--step", "0"}, BadWord{"--step", "-0.5"}, BadWord{"--sampler", "cubic"},
+                      BadWord{"--gradient", "sobel"}, BadWord{"--refine", "magic"}, BadWord{"--refine-steps", "2.5"},
+                      BadWord{"--structure", "hedge"}, BadWord{"--ert", "1"}, BadWord{"--ert", "-0.1"},
+                      BadWord{"--turntable", "0"}, BadWord{"--mode", "xray"}, BadWord{"--shading", "gouraud"},
+                      BadWord{"--window", "5"}, BadWord{"--tf", "preset:rainbow"}, BadWord{"--memory-limit", "lots"}));
+
+class BadRegionWords : public ProgramTest, public ::testing::WithParamInterface<BadWord> {};
+
+TEST_P(BadRegionWords, RegionsRefusesNamingFlagAndValue) {
+    const auto [flag, value] = GetParam();
+    std::vector<std::string> words{"regions", "sample:head@16", flag, value};
+    if (std::string(flag) != "--threshold" && std::string(flag) != "--range-width")
+        words.insert(words.end(), {"--threshold", "0,100"});
+    const Outcome outcome = lacuna(words);
+    expect_failure(outcome, 2, flag);
+    EXPECT_NE(outcome.err.find(value), std::string::npos) << outcome.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Regions, BadRegionWords,
+                         ::testing::Values(BadWord{"--threshold", "5,1"}, BadWord{"--threshold", "low,1"},
+                                           BadWord{"--threshold", "nan,1"}, BadWord{"--range-width", "1.5"},
+                                           BadWord{"--range-width", "-0.1"}, BadWord{"--connectivity", "8"},
+                                           BadWord{"--min-voxels", "0"}, BadWord{"--mesh-format", "fbx"}));
+
+TEST_F(Usage, FlagsThatDoNotGoTogether) {
+    const std::string out = path("a.png");
+    expect_failure(lacuna({"render", "sample:head@16", "-o", out, "--mode", "shear-warp", "--perspective", "30"}), 2,
+                   "--perspective");
+    expect_failure(lacuna({"render", "sample:head@16", "-o", out, "--mode", "shear-warp", "--verify"}), 2, "--verify");
+    expect_failure(lacuna({"render", "sample:head@16", "-o", out, "--mode", "ea", "--structure", "visible"}), 2,
+                   "visible");
+    expect_failure(lacuna({"regions", "sample:head@16", "--threshold", "0,1", "--range-width", "0.1"}), 2,
+                   "--threshold");
+    expect_failure(lacuna({"render", "sample:head@16", "-o", path("a.jpg")}), 2, "a.jpg");
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Usage, NegativeValuesAreValuesNotFlags) {
+    const Outcome outcome =
+        lacuna({"render", "sample:head@24", "-o",       path("a.png"), "--size",    "24x24", "--mode",
+                "iso",    "--iso",          "-300",     "--range",     "-900,3000", "--cut", "-1,0,0,5",
+                "--cut",  "-.5,0,0,9:open", "--window", "-100,400",    "--azimuth", "-30",   "--elevation",
+                "-20.5",  "--roll",         "-1e1",     "--center",    "-1,-2,-3"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(files(), std::vector<std::string>{"a.png"});
+    EXPECT_EQ(lacuna({"regions", "sample:head@24", "--threshold", "-200,100"}).status, 0);
+}
+
+TEST_F(Usage, UnknownSampleAndUnknownSeriesGiveTwo) {
+    expect_failure(lacuna({"info", "sample:teapot"}), 2, "teapot");
+    expect_failure(lacuna({"tf", "show", "rainbow"}), 2, "rainbow");
+    expect_failure(lacuna({"render", "sample:head@16", "-o", path("a.png"), "--device", "no such device"}), 2,
+                   "no such device");
+}
+
+}  // namespace
+
+}  // namespace lacuna::test
