@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,20 +11,26 @@
 
 namespace lacuna {
 
+namespace dicom {
+struct SeriesScan;
+}
+
 /// One volume found under an input: a DICOM series (split by UID, orientation, size, acquisition) or a file.
 struct SeriesEntry {
-    int number = 0;                      ///< 1, 2, ... in the order listed
+    int number = 0;  ///< 1, 2, ... in the order listed
     std::string description, uid, modality;
     glm::ivec3 size{0};
     int slices = 0;
     std::vector<std::filesystem::path> files;
+    std::shared_ptr<const dicom::SeriesScan> scan{};  ///< headers the scan parsed, so that reading need not again
 };
 
 /// How to open an input, beyond its name.
 struct OpenOptions {
-    std::string raw;                     ///< the contract's --raw text; empty: none
-    std::string series;                  ///< --series N|UID; empty: none
-    bool keep_gaps = false;              ///< refuse a series with missing slices instead of interpolating them
+    std::string raw;                         ///< the contract's --raw text; empty: none
+    std::string series;                      ///< --series N|UID; empty: none
+    bool keep_gaps = false;                  ///< refuse a series with missing slices instead of interpolating them
+    std::optional<glm::dvec3> spacing_mm{};  ///< replaces the spacing of a file (not of DICOM), e.g. of a TIFF stack
 };
 
 /// More than one volume lies under the input and none was chosen. Exit status 2; the message lists them.
@@ -36,6 +43,9 @@ public:
 
 /// Lists the volumes an input holds without reading pixels (`sample:` inputs: one entry).
 std::vector<SeriesEntry> list_series(const std::string& input, const JobContext& job = {});
+
+/// The list AmbiguousInput and an unknown --series show: number, description, size, slices, UID, one a line.
+std::string format_series(const std::vector<SeriesEntry>& entries);
 
 /// Opens any INPUT of the contract: DICOM folder or file, mhd mha nrrd nhdr nii nii.gz, TIFF stack or multi-page,
 /// raw with `raw` or a sidecar or its own name, `sample:NAME[@SIZE]`.

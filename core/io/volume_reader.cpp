@@ -1,0 +1,289 @@
+#include "core/io/volume_reader.h"
+
+#include <atomic>
+#include <cmath>
+#include <functional>
+
+#include "core/base/parallel.h"
+#include "core/io/dicom_reader.h"
+#include "core/io/grid_repair.h"
+#include "core/io/header_check.h"
+#include "core/io/itk_reader.h"
+#include "core/io/raw_reader.h"
+#include "core/io/text_fields.h"
+#include "core/io/tiff_reader.h"
+#include "core/volume/samples.h"
+
+namespace lacuna {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view k_sample = "sample:";
+
+bool is_sample(const std::string& input) { return input.starts_with(k_sample); }
+
+/// NAME[@SIZE] behind `sample:`.
+std::pair<std::string, SampleOptions> sample_call(const std::string& input) {
+    std::string name = input.substr(k_sample.size());
+    SampleOptions options;
+    if (const auto at = name.find('@'); at != std::string::npos) {
+        const auto size = number_in<int>(name.substr(at + 1));
+        if (!size || *size < 1)
+            throw Error(Errc::bad_usage, "The size in '" + input + "' is not a number of voxels; write for example " +
+                                             "sample:casting@192.");
+        options.size = *size;
+        name.resize(at);
+    }
+    return {name, options};
+}
+
+enum class FileKind { dicom, meta_image, nrrd, nifti, tiff, raw, dat, vgi };
+
+std::string ending_of(const fs::path& file) {
+    const std::string name = lower_case(file.filename().string());
+    if (name.ends_with(".nii.gz")) return ".nii.gz";
+    return lower_case(file.extension().string());
+}
+
+FileKind kind_of(const fs::path& file, const OpenOptions& options) {
+    if (!options.raw.empty()) return FileKind::raw;
+    const std::string ending = ending_of(file);
+    static const std::pair<std::string_view, FileKind> k_endings[] = {
+        {".mhd", FileKind::meta_image}, {".mha", FileKind::meta_image}, {".nrrd", FileKind::nrrd},
+        {".nhdr", FileKind::nrrd},      {".nii", FileKind::nifti},      {".nii.gz", FileKind::nifti},
+        {".tif", FileKind::tiff},       {".tiff", FileKind::tiff},      {".raw", FileKind::raw},
+        {".img", FileKind::raw},        {".vol", FileKind::raw},        {".dat", FileKind::dat},
+        {".vgi", FileKind::vgi}};
+    FileKind kind = FileKind::dicom;
+    for (const auto& [text, k] : k_endings)
+        if (ending == text) kind = k;
+    // Scanners name DICOM files as they please, some of them .img or .dat.
+    const bool doubtful = kind == FileKind::raw || kind == FileKind::dat;
+    if (doubtful && looks_like_dicom(file)) return FileKind::dicom;
+    return kind;
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+    std::error_code ec;
+    return fs::equivalent(a, b, ec) && !ec;
+}
+
+/// Layout of a raw file without --raw: from a sidecar beside it that names it, else from its own name. A .mhd sidecar
+/// is handed back as a path instead.
+struct RawSource {
+    std::optional<RawLayout> layout;
+    fs::path meta_image;
+};
+
+RawSource raw_source(const fs::path& file) {
+    std::error_code ec;
+    const auto beside = [&](const char* ending) { return fs::path(file).replace_extension(ending); };
+    if (fs::is_regular_file(beside(".mhd"), ec) && same_file(meta_image_data_file(beside(".mhd")), file))
+        return {std::nullopt, beside(".mhd")};
+    for (const fs::path& sidecar : {beside(".vgi"), fs::path(file.string() + ".vgi")})
+        if (fs::is_regular_file(sidecar, ec))
+            if (const RawLayout layout = read_vgi(sidecar); same_file(layout.file, file)) return {layout, {}};
+    for (const fs::path& sidecar : {beside(".dat"), fs::path(file.string() + ".dat")})
+        if (fs::is_regular_file(sidecar, ec) && !looks_like_dicom(sidecar))
+            if (const RawLayout layout = read_dat(sidecar); same_file(layout.file, file)) return {layout, {}};
+    if (auto named = raw_layout_of_name(file)) return {named, {}};
+    throw Error(Errc::bad_input,
+                "Cannot read " + file.string() +
+                    ": it is raw, and neither a sidecar (.dat, .vgi, .mhd) nor its name says its size; "
+                    "give --raw WxHxD:TYPE[:SX,SY,SZ][:be][:+OFFSET].");
+}
+
+RawSource raw_source(const fs::path& file, FileKind kind, const OpenOptions& options) {
+    if (kind == FileKind::dat) return {read_dat(file), {}};
+    if (kind == FileKind::vgi) return {read_vgi(file), {}};
+    if (options.raw.empty()) return raw_source(file);
+    RawLayout layout = parse_raw_text(options.raw);
+    layout.file = file;
+    return {layout, {}};
+}
+
+ItkFormat itk_format(FileKind kind) {
+    if (kind == FileKind::meta_image) return ItkFormat::meta_image;
+    return kind == FileKind::nrrd ? ItkFormat::nrrd : ItkFormat::nifti;
+}
+
+/// A DICOM file that the extension does not tell must be one by content.
+void require_dicom(const fs::path& file) {
+    if (!looks_like_dicom(file))
+        throw Error(Errc::bad_input,
+                    "Cannot read " + file.string() +
+                        ": it is neither DICOM nor named .mhd .mha .nrrd .nhdr .nii .nii.gz .tif .tiff "
+                        ".raw .img .vol .dat or .vgi; give --raw if it is a raw volume.");
+}
+
+std::vector<fs::path> tiff_files(const fs::path& path) {
+    std::error_code ec;
+    return fs::is_directory(path, ec) ? tiff_stack(path) : std::vector<fs::path>{path};
+}
+
+SeriesEntry file_entry(const fs::path& path, glm::ivec3 size, std::vector<fs::path> files) {
+    SeriesEntry entry;
+    entry.number = 1;
+    entry.description = path.filename().empty() ? path.parent_path().filename().string() : path.filename().string();
+    entry.size = size;
+    entry.slices = size.z;
+    entry.files = std::move(files);
+    return entry;
+}
+
+glm::ivec3 size_of_file(const fs::path& file, FileKind kind) {
+    if (kind == FileKind::tiff) return tiff_size({file});
+    if (kind == FileKind::raw || kind == FileKind::dat || kind == FileKind::vgi) {
+        const RawSource source = raw_source(file, kind, {});
+        return source.layout ? source.layout->geometry.size : itk_volume_size(source.meta_image, ItkFormat::meta_image);
+    }
+    return itk_volume_size(file, itk_format(kind));
+}
+
+/// The series a call means: the only one, or the one --series names by number or UID.
+const SeriesEntry& chosen_series(const std::string& input, const std::vector<SeriesEntry>& found,
+                                 const std::string& wanted) {
+    if (wanted.empty()) {
+        if (found.size() == 1) return found.front();
+        throw AmbiguousInput(input + " holds " + std::to_string(found.size()) +
+                                 " volumes; choose one with --series N or --series UID:\n" + format_series(found),
+                             found);
+    }
+    const auto number = number_in<int>(wanted);
+    const SeriesEntry* match = nullptr;
+    for (const SeriesEntry& entry : found) {
+        const bool hit = number ? entry.number == *number : entry.uid == wanted;
+        if (!hit) continue;
+        if (match) {
+            throw Error(Errc::bad_usage, "Several volumes of " + input + " carry the UID " + wanted +
+                                             "; choose one by its number:\n" + format_series(found));
+        }
+        match = &entry;
+    }
+    if (match) return *match;
+    throw Error(Errc::bad_usage,
+                "There is no series '" + wanted + "' in " + input + "; it holds:\n" + format_series(found));
+}
+
+[[noreturn]] void refuse_folder(const std::string& input) {
+    throw Error(Errc::bad_input, "Cannot read " + input + ": the folder holds no DICOM images and no TIFF slices.");
+}
+
+/// Everything but DICOM and samples.
+Volume open_plain(const fs::path& path, FileKind kind, const OpenOptions& options, const JobContext& job) {
+    if (kind == FileKind::tiff) {
+        const auto files = tiff_files(path);
+        if (files.empty()) refuse_folder(path.string());
+        return read_tiff(files, job);
+    }
+    if (kind == FileKind::meta_image || kind == FileKind::nrrd || kind == FileKind::nifti)
+        return read_itk_volume(path, itk_format(kind), job);
+    const RawSource source = raw_source(path, kind, options);
+    if (!source.layout) return read_itk_volume(source.meta_image, ItkFormat::meta_image, job);
+    return read_raw(*source.layout, job);
+}
+
+/// NaN and infinite voxels are kept, but nobody should be surprised by them.
+void warn_of_nan(Volume& volume, const JobContext& job) {
+    if (volume.type() != VoxelType::f32) return;
+    const auto voxels = volume.view<float>().voxels();
+    std::atomic<std::int64_t> count{0};
+    parallel_bands(
+        0, std::int64_t(voxels.size()), 8 * thread_count(),
+        [&](std::int64_t from, std::int64_t to) {
+            std::int64_t odd = 0;
+            for (std::int64_t i = from; i < to; ++i) odd += !std::isfinite(voxels[std::size_t(i)]);
+            count += odd;
+        },
+        job);
+    if (count > 0)
+        volume.warnings.push_back({std::to_string(count) + " voxels are not a finite number (NaN or infinite).", 0});
+}
+
+/// The same voxels on a grid of another spacing.
+Volume with_spacing(const Volume& volume, const glm::dvec3& spacing_mm, const std::string& what) {
+    GridGeometry geometry = volume.geometry();
+    geometry.spacing = spacing_mm;
+    std::vector<Warning> warnings;
+    repair_grid(what, geometry, warnings);
+    Volume out(geometry, volume.type(), volume.buffer());
+    out.name = volume.name;
+    out.unit = volume.unit;
+    for (const Warning& w : volume.warnings)
+        if (!w.text.starts_with("The voxel spacing is not stated")) out.warnings.push_back(w);
+    return out;
+}
+
+fs::path existing(const std::string& input) {
+    std::error_code ec;
+    if (input.empty() || !fs::exists(input, ec))
+        throw Error(Errc::io, "Cannot open '" + input + "': there is no such file or folder.");
+    return input;
+}
+
+}  // namespace
+
+std::string format_series(const std::vector<SeriesEntry>& entries) {
+    std::string text;
+    for (const SeriesEntry& e : entries) {
+        if (!text.empty()) text += '\n';
+        text += "  " + std::to_string(e.number) + "  " + (e.description.empty() ? "(no description)" : e.description) +
+                "  " + std::to_string(e.size.x) + "x" + std::to_string(e.size.y) + "x" + std::to_string(e.size.z) +
+                "  " + std::to_string(e.slices) + " slices  " + e.uid;
+    }
+    return text;
+}
+
+std::vector<SeriesEntry> list_series(const std::string& input, const JobContext& job) {
+    if (is_sample(input)) {
+        const auto [name, options] = sample_call(input);
+        return {file_entry(fs::path(input), glm::ivec3(options.size), {})};
+    }
+    const fs::path path = existing(input);
+    if (fs::is_directory(path)) {
+        auto found = find_dicom_series(path, job);
+        if (!found.empty()) return found;
+        const auto files = tiff_stack(path);
+        if (files.empty()) refuse_folder(input);
+        return {file_entry(path, tiff_size(files), files)};
+    }
+    const FileKind kind = kind_of(path, {});
+    if (kind != FileKind::dicom) return {file_entry(path, size_of_file(path, kind), {path})};
+    require_dicom(path);
+    return find_dicom_series(path, job);
+}
+
+Volume open_volume(const std::string& input, const OpenOptions& options, const JobContext& job) {
+    if (is_sample(input)) {
+        const auto [name, sample] = sample_call(input);
+        Volume volume = make_sample(name, sample, job).volume;
+        if (volume.name.empty()) volume.name = input;
+        return volume;
+    }
+    const fs::path path = existing(input);
+    const bool folder = fs::is_directory(path);
+    FileKind kind = folder ? FileKind::dicom : kind_of(path, options);
+    if (kind == FileKind::dicom) {
+        if (!folder) require_dicom(path);
+        const auto found = find_dicom_series(path, job.part(0, 0.2));
+        if (!found.empty()) {
+            Volume volume = read_dicom_series(chosen_series(input, found, options.series), options, job.part(0.2, 1));
+            warn_of_nan(volume, {job.stop, nullptr});
+            return volume;
+        }
+        if (!folder) throw Error(Errc::bad_input, "Cannot read " + input + ": this DICOM file holds no image.");
+        kind = FileKind::tiff;
+    }
+    if (!options.series.empty() && options.series != "1")
+        throw Error(Errc::bad_usage,
+                    "There is no series '" + options.series + "' in " + input + "; it holds one volume.");
+    Volume volume = open_plain(path, kind, options, job.part(folder ? 0.2 : 0, 0.95));
+    if (options.spacing_mm) volume = with_spacing(volume, *options.spacing_mm, input);
+    volume.name = file_entry(path, {}, {}).description;
+    warn_of_nan(volume, job.part(0.95, 1));
+    return volume;
+}
+
+}  // namespace lacuna

@@ -1,0 +1,186 @@
+#include "core/io/volume_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "core/base/error.h"
+#include "core/io/dicom_writer.h"
+#include "core/io/nifti_writer.h"
+#include "core/io/output_file.h"
+#include "core/io/text_fields.h"
+
+namespace lacuna {
+
+namespace fs = std::filesystem;
+
+static_assert(std::endian::native == std::endian::little, "voxels are written as they lie in memory");
+
+namespace {
+
+constexpr const char* k_known_endings = ".nrrd, .mhd, .nii, .nii.gz, .raw, or a folder name for a DICOM series";
+
+std::span<const std::byte> bytes_of(const Volume& volume) { return {volume.data(), volume.bytes()}; }
+
+std::string row_of(const glm::dvec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
+
+/// NRRD 4 with gzip data behind the header (teem's format definition); `space` is LPS, our own axes.
+std::string nrrd_header(const GridGeometry& g, std::string_view type) {
+    std::string directions;
+    for (int a = 0; a < 3; ++a) {
+        const glm::dvec3 step = g.direction[a] * g.spacing[a];
+        directions += fmt::format("{}({},{},{})", a ? " " : "", step.x, step.y, step.z);
+    }
+    return fmt::format(
+        "NRRD0004\n# Complete NRRD file format specification at:\n# http://teem.sourceforge.net/nrrd/format.html\n"
+        "type: {}\ndimension: 3\nspace: left-posterior-superior\nsizes: {} {} {}\nspace directions: {}\n"
+        "kinds: domain domain domain\nendian: little\nencoding: gzip\nspace origin: ({},{},{})\n\n",
+        type, g.size.x, g.size.y, g.size.z, directions, g.origin.x, g.origin.y, g.origin.z);
+}
+
+std::string_view nrrd_type(VoxelType type) {
+    switch (type) {
+        case VoxelType::u8:
+            return "uint8";
+        case VoxelType::i8:
+            return "int8";
+        case VoxelType::u16:
+            return "uint16";
+        case VoxelType::i16:
+            return "int16";
+        case VoxelType::f32:
+            break;
+    }
+    return "float";
+}
+
+void write_nrrd(const GridGeometry& geometry, std::string_view type, std::span<const std::byte> voxels,
+                const fs::path& target, const JobContext& job) {
+    OutputFile file(target);
+    file.write(nrrd_header(geometry, type));
+    write_gzip(file, {}, voxels, job);
+    file.commit();
+}
+
+std::string_view meta_type(VoxelType type) {
+    switch (type) {
+        case VoxelType::u8:
+            return "MET_UCHAR";
+        case VoxelType::i8:
+            return "MET_CHAR";
+        case VoxelType::u16:
+            return "MET_USHORT";
+        case VoxelType::i16:
+            return "MET_SHORT";
+        case VoxelType::f32:
+            break;
+    }
+    return "MET_FLOAT";
+}
+
+std::string meta_header(const Volume& volume, const std::string& data_file) {
+    const GridGeometry& g = volume.geometry();
+    return fmt::format(
+        "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = False\n"
+        "TransformMatrix = {} {} {}\nOffset = {}\nCenterOfRotation = 0 0 0\nAnatomicalOrientation = RAI\n"
+        "ElementSpacing = {}\nDimSize = {} {} {}\nElementType = {}\nElementDataFile = {}\n",
+        row_of(g.direction[0]), row_of(g.direction[1]), row_of(g.direction[2]), row_of(g.origin), row_of(g.spacing),
+        g.size.x, g.size.y, g.size.z, meta_type(volume.type()), data_file);
+}
+
+std::string_view dat_format(VoxelType type) {
+    switch (type) {
+        case VoxelType::u8:
+            return "UCHAR";
+        case VoxelType::i8:
+            return "CHAR";
+        case VoxelType::u16:
+            return "USHORT";
+        case VoxelType::i16:
+            return "SHORT";
+        case VoxelType::f32:
+            break;
+    }
+    return "FLOAT";
+}
+
+/// The volvis sidecar. Origin and direction are our addition, written only where they say something.
+std::string dat_header(const Volume& volume, const std::string& data_file) {
+    const GridGeometry& g = volume.geometry();
+    std::string text = fmt::format(
+        "ObjectFileName: {}\nTaggedFileName: ---\nResolution: {} {} {}\nSliceThickness: {}\nFormat: {}\nNbrTags: 0\n"
+        "ObjectType: TEXTURE_VOLUME_OBJECT\nObjectModel: I\nGridType: EQUIDISTANT\n",
+        data_file, g.size.x, g.size.y, g.size.z, row_of(g.spacing), dat_format(volume.type()));
+    if (g.origin != glm::dvec3(0)) text += "Origin: " + row_of(g.origin) + "\n";
+    if (g.direction != glm::dmat3(1))
+        text +=
+            "Direction: " + row_of(g.direction[0]) + " " + row_of(g.direction[1]) + " " + row_of(g.direction[2]) + "\n";
+    return text;
+}
+
+/// Writes data and header; both lie whole beside their targets before the first is renamed.
+void write_pair(const Volume& volume, const fs::path& data, const fs::path& header, const std::string& header_text,
+                const JobContext& job) {
+    OutputFile voxels(data), text(header);
+    write_plain(voxels, bytes_of(volume), job);
+    text.write(header_text);
+    voxels.commit();
+    text.commit();
+}
+
+void write_meta(const Volume& volume, const fs::path& target, const JobContext& job) {
+    const fs::path data = fs::path(target).replace_extension(".raw");
+    write_pair(volume, data, target, meta_header(volume, data.filename().string()), job);
+}
+
+void write_raw(const Volume& volume, const fs::path& target, const JobContext& job) {
+    write_pair(volume, target, fs::path(target).replace_extension(".dat"),
+               dat_header(volume, target.filename().string()), job);
+}
+
+bool means_folder(const fs::path& target) {
+    std::error_code ec;
+    return !target.has_filename() || target.extension().empty() || fs::is_directory(target, ec);
+}
+
+template <class T>
+void write_labels_as(const LabelVolume& labels, std::string_view type, const fs::path& target, const JobContext& job) {
+    const std::vector<std::uint32_t>& ids = *labels.labels;
+    if constexpr (sizeof(T) == sizeof(std::uint32_t)) {
+        write_nrrd(labels.geometry, type, std::as_bytes(std::span(ids)), target, job);
+    } else {
+        std::vector<T> narrow(ids.size());
+        std::transform(ids.begin(), ids.end(), narrow.begin(), [](std::uint32_t id) { return T(id); });
+        write_nrrd(labels.geometry, type, std::as_bytes(std::span(narrow)), target, job);
+    }
+}
+
+}  // namespace
+
+void write_volume(const Volume& volume, const fs::path& target, const JobContext& job) {
+    if (volume.empty()) throw Error(Errc::bad_input, "Cannot write " + target.string() + ": there is no volume.");
+    const std::string name = lower_case(target.filename().string());
+    if (means_folder(target)) return write_dicom_series(volume, target, job);
+    if (name.ends_with(".nrrd"))
+        return write_nrrd(volume.geometry(), nrrd_type(volume.type()), bytes_of(volume), target, job);
+    if (name.ends_with(".mhd")) return write_meta(volume, target, job);
+    if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return write_nifti(volume, target, job);
+    if (name.ends_with(".raw")) return write_raw(volume, target, job);
+    throw Error(Errc::bad_usage,
+                "Cannot write " + target.string() + ": its ending names no format; known are " + k_known_endings + ".");
+}
+
+void write_labels(const LabelVolume& labels, const fs::path& target, const JobContext& job) {
+    if (lower_case(target.extension().string()) != ".nrrd")
+        throw Error(Errc::bad_usage, "Cannot write the labels to " + target.string() + ": name a .nrrd file.");
+    if (!labels.labels || std::int64_t(labels.labels->size()) != labels.geometry.voxel_count())
+        throw Error(Errc::bad_input, "Cannot write " + target.string() + ": the labels do not fit their grid.");
+    const auto& ids = *labels.labels;
+    const std::uint32_t largest = ids.empty() ? 0 : *std::max_element(ids.begin(), ids.end());
+    if (largest <= 0xff) return write_labels_as<std::uint8_t>(labels, "uint8", target, job);
+    if (largest <= 0xffff) return write_labels_as<std::uint16_t>(labels, "uint16", target, job);
+    write_labels_as<std::uint32_t>(labels, "uint32", target, job);
+}
+
+}  // namespace lacuna
