@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,7 +21,7 @@ struct RegionOptions {
     std::optional<ValueRange> threshold;   ///< components of the voxels whose value lies in the closed range
     std::optional<ValueRange> background;  ///< range_width only: values never grown (default: none)
     Connectivity connectivity = Connectivity::c6;
-    std::int64_t min_voxels = 1;           ///< smaller regions go back to background
+    std::int64_t min_voxels = 1;  ///< smaller regions go back to background
 };
 
 /// The row of `lacuna regions` (contract). Lengths in mm.
@@ -28,29 +29,29 @@ struct RegionCharacteristics {
     std::uint32_t id = 0;
     std::int64_t voxels = 0;
     double volume_mm3 = 0;
-    double fraction = 0;                   ///< of all voxels in any region
-    double surface_mm2 = 0;                ///< estimator named by RegionTable::surface_method
-    double shape_factor = 0;               ///< s^3/v^2; 36*pi for a ball, never below it
-    double sphericity = 0;                 ///< Wadell 1935: pi^(1/3) (6v)^(2/3) / s; never above 1
-    std::int64_t holes = 0;                ///< cavities: subsets of the boundary layer less the outer one
-    std::int64_t tunnels = 0;              ///< by Euler's number: components + cavities - euler
+    double fraction = 0;       ///< of all voxels in any region
+    double surface_mm2 = 0;    ///< estimator named by RegionTable::surface_method
+    double shape_factor = 0;   ///< s^3/v^2; 36*pi for a ball, never below it
+    double sphericity = 0;     ///< Wadell 1935: pi^(1/3) (6v)^(2/3) / s; never above 1
+    std::int64_t holes = 0;    ///< cavities: subsets of the boundary layer less the outer one
+    std::int64_t tunnels = 0;  ///< by Euler's number: components + cavities - euler
     std::int64_t euler = 0;
     double mean = 0, min = 0, max = 0, stddev = 0;
     glm::dvec3 centroid_mm{0};
-    glm::dvec3 bbox_min_mm{0}, bbox_max_mm{0};   ///< of the voxel cells (outer faces), axis-aligned in mm
-    glm::ivec3 bbox_first{0}, bbox_last{0};      ///< in voxels, both included
-    double equivalent_diameter_mm = 0;           ///< of the ball of equal volume
-    glm::dvec3 principal_lengths_mm{0};          ///< full axes of the ellipsoid of equal second moments, longest first
+    glm::dvec3 bbox_min_mm{0}, bbox_max_mm{0};  ///< of the voxel cells (outer faces), axis-aligned in mm
+    glm::ivec3 bbox_first{0}, bbox_last{0};     ///< in voxels, both included
+    double equivalent_diameter_mm = 0;          ///< of the ball of equal volume
+    glm::dvec3 principal_lengths_mm{0};         ///< full axes of the ellipsoid of equal second moments, longest first
     bool touches_border = false;
-    std::vector<std::string> flags;              ///< a value that had to be corrected or cannot be trusted, and why
+    std::vector<std::string> flags;  ///< a value that had to be corrected or cannot be trusted, and why
 };
 
 struct RegionTable {
-    LabelVolume labels;                          ///< ids 1..n as in rows
-    std::vector<RegionCharacteristics> rows;     ///< ordered by id; ids by descending voxel count, ties by first voxel
-    std::string surface_method;                  ///< e.g. "Crofton, 13 directions, spacing-weighted"
-    std::string adjacency;                       ///< e.g. "regions 26-connected, cavities 6-connected"
-    ValueRange value_range;                      ///< of the volume
+    LabelVolume labels;                       ///< ids 1..n as in rows
+    std::vector<RegionCharacteristics> rows;  ///< ordered by id; ids by descending voxel count, ties by first voxel
+    std::string surface_method;               ///< e.g. "Crofton, 13 directions, spacing-weighted"
+    std::string adjacency;                    ///< e.g. "regions 26-connected, cavities 6-connected"
+    ValueRange value_range;                   ///< of the volume
 };
 
 /// Segments and measures. Deterministic for any number of threads. NaN voxels belong to no region.
@@ -58,14 +59,19 @@ struct RegionTable {
 /// @throws Error(bad_usage) for options out of range; Error(cancelled)
 RegionTable find_regions(const Volume& volume, const RegionOptions& options, const JobContext& job = {});
 
-/// Measures regions already labelled (any ids; 0 is background). @throws Error(bad_input) if the grids differ
+/// Measures regions already labelled (any ids; 0 is background); each label should be one connected region, or its
+/// tunnels mean little. @throws Error(bad_input) if the grids differ
 std::vector<RegionCharacteristics> measure_regions(const Volume& volume, const LabelVolume& labels,
                                                    Connectivity connectivity, const JobContext& job = {});
 
 /// One closed, outward-oriented surface of a labelled region (marching cubes on its mask, padded), in mm.
 TriangleMesh region_mesh(const LabelVolume& labels, const RegionCharacteristics& region, const JobContext& job = {});
 
+/// The region as bytes over its box bbox_first..bbox_last (x fastest): 1 inside, 0 elsewhere.
+/// @throws Error(bad_input) if the row's box does not lie in the labels
+std::vector<std::uint8_t> region_mask(const LabelVolume& labels, const RegionCharacteristics& region);
+
 std::string regions_to_json(const RegionTable& table);
-std::string regions_to_csv(const RegionTable& table);   ///< RFC 4180, dot decimals in every locale
+std::string regions_to_csv(const RegionTable& table);  ///< RFC 4180, dot decimals in every locale
 
 }  // namespace lacuna

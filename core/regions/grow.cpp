@@ -1,0 +1,217 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+#include "core/base/parallel.h"
+#include "core/regions/labelling.h"
+#include "core/regions/neighbourhood.h"
+
+namespace lacuna::labelling {
+
+namespace {
+
+/// A stretch of one row, both ends included.
+struct Segment {
+    std::int32_t y, z, first, last;
+};
+
+/// First in, first out, in one block that is used over and over.
+class SegmentQueue {
+public:
+    void clear() { items_.clear(), head_ = 0; }
+    bool empty() const { return head_ == items_.size(); }
+    Segment pop() { return items_[head_++]; }
+    void push(const Segment& segment) {
+        // Reuses the consumed front before growing: memory follows the front of the fill, not its history.
+        if (items_.size() == items_.capacity() && head_ > items_.size() / 2) {
+            items_.erase(items_.begin(), items_.begin() + std::ptrdiff_t(head_));
+            head_ = 0;
+        }
+        items_.push_back(segment);
+    }
+
+private:
+    std::vector<Segment> items_;
+    std::size_t head_ = 0;
+};
+
+template <class T>
+class Grower {
+public:
+    using Wide = std::conditional_t<std::is_integral_v<T>, std::int32_t, double>;
+
+    Grower(const Volume& volume, std::vector<std::uint32_t>& labels, double width, Connectivity connectivity,
+           std::int64_t min_voxels, const JobContext& job)
+        : values_(volume.view<T>().data),
+          labels_(labels.data()),
+          size_(volume.geometry().size),
+          width_(whole_width(width)),
+          min_voxels_(min_voxels),
+          job_(job) {
+        for (int dz = -1; dz <= 1; ++dz)
+            for (int dy = -1; dy <= 1; ++dy) {
+                const int reach = neighbourhood::reach_along_x(connectivity, dy, dz);
+                if ((dy != 0 || dz != 0) && reach >= 0) neighbours_.push_back({dy, dz, reach});
+            }
+    }
+
+    std::vector<std::uint64_t> grow_all() {
+        std::vector<std::uint64_t> voxels(1, 0);
+        for (int z = 0; z < size_.z; ++z) {
+            job_.check();
+            for (int y = 0; y < size_.y; ++y) {
+                const std::uint32_t* row = labels_ + row_start(y, z);
+                for (int x = 0; x < size_.x; ++x) {
+                    if (row[x] != 0) continue;
+                    id_ = std::uint32_t(voxels.size());
+                    grow_from(x, y, z);
+                    if (count_ < min_voxels_) {
+                        give_back();
+                        continue;
+                    }
+                    if (voxels.size() > k_most_regions) refuse_region_count(min_voxels_);
+                    voxels.push_back(std::uint64_t(count_));
+                }
+            }
+        }
+        return voxels;
+    }
+
+private:
+    struct RowNeighbour {
+        int dy, dz, reach;
+    };
+
+    static Wide whole_width(double width) {
+        if constexpr (std::is_integral_v<T>) return Wide(std::floor(width + 1e-6));  // 0.29 * 100 means 29
+        return Wide(width);
+    }
+
+    std::int64_t row_start(int y, int z) const { return (std::int64_t(z) * size_.y + y) * size_.x; }
+
+    // False for NaN. Infinite values fail too: a region starts at a finite value and its width is finite.
+    bool fits(std::uint32_t label, T value) const {
+        return label == 0 && Wide(value) >= admit_low_ && Wide(value) <= admit_high_;
+    }
+
+    void admit(Wide value) {
+        if (value < low_) low_ = value, admit_high_ = low_ + width_;
+        if (value > high_) high_ = value, admit_low_ = high_ - width_;
+    }
+
+    void grow_from(int x, int y, int z) {
+        low_ = high_ = Wide(values_[row_start(y, z) + x]);
+        admit_low_ = high_ - width_;
+        admit_high_ = low_ + width_;
+        count_ = 0;
+        claimed_.clear();
+        queue_.clear();
+        queue_.push({y, z, x, x});
+        while (!queue_.empty()) take(queue_.pop());
+    }
+
+    /// Claims what still fits of a stretch offered earlier, and what follows from it to either side.
+    void take(const Segment& offered) {
+        const std::int64_t start = row_start(offered.y, offered.z);
+        const T* values = values_ + start;
+        std::uint32_t* labels = labels_ + start;
+        for (int x = offered.first; x <= offered.last; ++x) {
+            if (!fits(labels[x], values[x])) continue;
+            int first = x;
+            for (; x < size_.x && fits(labels[x], values[x]); ++x) {
+                labels[x] = id_;
+                admit(values[x]);
+            }
+            if (first == offered.first)
+                for (; first > 0 && fits(labels[first - 1], values[first - 1]); --first) {
+                    labels[first - 1] = id_;
+                    admit(values[first - 1]);
+                }
+            note({offered.y, offered.z, first, x - 1});
+        }
+    }
+
+    void note(const Segment& claimed) {
+        const int length = claimed.last - claimed.first + 1;
+        if (count_ < min_voxels_) claimed_.push_back(claimed);
+        count_ += length;
+        since_check_ += length;
+        if (since_check_ > 1'000'000) {
+            done_ += since_check_;
+            since_check_ = 0;
+            job_.checkpoint(std::size_t(done_), std::size_t(row_start(0, size_.z)));
+        }
+        for (const RowNeighbour& n : neighbours_) {
+            const int y = claimed.y + n.dy, z = claimed.z + n.dz;
+            if (y < 0 || z < 0 || y >= size_.y || z >= size_.z) continue;
+            offer(y, z, std::max(0, claimed.first - n.reach), std::min(size_.x - 1, claimed.last + n.reach));
+        }
+    }
+
+    void offer(int y, int z, int first, int last) {
+        const std::int64_t start = row_start(y, z);
+        const T* values = values_ + start;
+        const std::uint32_t* labels = labels_ + start;
+        for (int x = first; x <= last; ++x) {
+            if (!fits(labels[x], values[x])) continue;
+            const int begin = x;
+            while (x < last && fits(labels[x + 1], values[x + 1])) ++x;
+            queue_.push({y, z, begin, x});
+        }
+    }
+
+    void give_back() {
+        for (const Segment& s : claimed_) {
+            std::uint32_t* row = labels_ + row_start(s.y, s.z);
+            std::fill(row + s.first, row + s.last + 1, k_never);
+        }
+    }
+
+    const T* values_;
+    std::uint32_t* labels_;
+    glm::ivec3 size_;
+    Wide width_, low_{}, high_{}, admit_low_{}, admit_high_{};
+    std::int64_t min_voxels_, count_ = 0, since_check_ = 0, done_ = 0;
+    std::uint32_t id_ = 0;
+    std::vector<RowNeighbour> neighbours_;
+    SegmentQueue queue_;
+    std::vector<Segment> claimed_;  // of the region at hand, until it is large enough to stay
+    const JobContext& job_;
+};
+
+template <class T>
+void mark_ineligible(const Volume& volume, const std::optional<ValueRange>& background,
+                     std::vector<std::uint32_t>& labels, const JobContext& job) {
+    if (std::is_integral_v<T> && !background) return;
+    const glm::ivec3 size = volume.geometry().size;
+    const std::int64_t slice = std::int64_t(size.x) * size.y;
+    const T* values = volume.view<T>().data;
+    parallel_for(
+        0, size.z,
+        [&](std::int64_t z) {
+            for (std::int64_t i = z * slice; i < (z + 1) * slice; ++i) {
+                const double value = double(values[i]);
+                if (!std::isfinite(value) || (background && background->contains(value)))
+                    labels[std::size_t(i)] = k_never;
+            }
+        },
+        job);
+}
+
+}  // namespace
+
+ProvisionalLabels grow_regions(const Volume& volume, double width, const std::optional<ValueRange>& background,
+                               Connectivity connectivity, std::int64_t min_voxels, const JobContext& job) {
+    ProvisionalLabels result;
+    result.labels = std::make_shared<std::vector<std::uint32_t>>(std::size_t(volume.geometry().voxel_count()), 0u);
+    visit_type(volume.type(), [&](auto tag) {
+        using T = decltype(tag);
+        mark_ineligible<T>(volume, background, *result.labels, job.part(0, 0.05));
+        const JobContext growing = job.part(0.05, 1);
+        result.voxels = Grower<T>(volume, *result.labels, width, connectivity, min_voxels, growing).grow_all();
+    });
+    return result;
+}
+
+}  // namespace lacuna::labelling

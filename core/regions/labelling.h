@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/regions/regions.h"
+#include "core/volume/volume.h"
+
+/// The steps of find_regions, seen only inside the room.
+namespace lacuna::labelling {
+
+/// Label of a voxel that is in no region and can join none. Outside of the steps here it is never seen.
+inline constexpr std::uint32_t k_never = 0xFFFFFFFFu;
+
+/// More rows than this are no table any more; growing stops with a sentence that names the way out.
+inline constexpr std::uint32_t k_most_regions = 1u << 22;
+
+/// Provisional ids 1..n in the scan order of each region's first voxel.
+struct ProvisionalLabels {
+    std::shared_ptr<std::vector<std::uint32_t>> labels;  ///< per voxel: id, 0 or k_never
+    std::vector<std::uint32_t> root;    ///< per id: the smallest id of its region; empty: every id is its own
+    std::vector<std::uint64_t> voxels;  ///< per id: voxels of the region (of the root; others 0); [0] unused
+};
+
+/// Homogeneous-region growing (Frey & Ertl 2009, section 3): every voxel without a label is, in scan order, the seed of
+/// a region; a voxel joins while the region's largest less smallest value stays within `width` (in the volume's unit).
+/// The front is a first-in first-out list of row segments, so the outcome is one and the same on every machine. A voxel
+/// refused once would be refused for good, because the admissible values only shrink: at the end no voxel left over
+/// beside a region fits it. Regions under `min_voxels` go to k_never. Cost: one visit per voxel and face; no
+/// allocation per region.
+ProvisionalLabels grow_regions(const Volume& volume, double width, const std::optional<ValueRange>& background,
+                               Connectivity connectivity, std::int64_t min_voxels, const JobContext& job);
+
+/// Connected components of the voxels within `range`, by runs of a row and union-find (Wu, Otoo, Suzuki 2009).
+ProvisionalLabels label_components(const Volume& volume, const ValueRange& range, Connectivity connectivity,
+                                   const JobContext& job);
+
+/// Renumbers in place: final ids 1..n by descending size, ties by first voxel; regions under `min_voxels` and k_never
+/// become 0. Returns n. @throws Error(bad_usage) beyond k_most_regions
+std::uint32_t number_by_size(ProvisionalLabels& provisional, std::int64_t min_voxels, const JobContext& job);
+
+/// The sentence for a volume that falls apart. @throws Error(bad_usage) always
+[[noreturn]] void refuse_region_count(std::int64_t min_voxels);
+
+}  // namespace lacuna::labelling
