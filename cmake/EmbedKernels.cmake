@@ -58,7 +58,8 @@ function(lacuna_check_kernels target root list)
         set(stamp ${CMAKE_CURRENT_BINARY_DIR}/check/${stem}-${tag}.stamp)
         add_custom_command(OUTPUT ${stamp}
             COMMAND ${LACUNA_CLANG} -x cl -cl-std=CL1.2 -Xclang -finclude-default-header -target spir64 -fsyntax-only
-                    -Wall -Wdouble-promotion -Wno-unused-function -Wno-unused-const-variable -I ${root} ${words}
+                    -Wall -Wdouble-promotion -Wno-unused-function -Wno-unused-variable -Wno-unused-const-variable
+                    -I ${root} ${words}
                     -MD -MF ${stamp}.d -MT ${stamp} ${root}/${source}
             COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
             DEPENDS ${root}/${source} DEPFILE ${stamp}.d

@@ -50,6 +50,11 @@ std::string binary_of(const cl::Program& program) {
     }
 }
 
+/// Whether asking for a binary costs nothing. PoCL compiles every kernel for any work-group size first.
+bool binaries_are_at_hand(const DeviceInfo& info) {
+    return info.platform.find("Portable Computing Language") == std::string::npos;
+}
+
 }  // namespace
 
 ProgramKey program_key(const ComputeDevice& device, std::string source, const std::string& options) {
@@ -141,8 +146,26 @@ cl::Program ProgramLibrary::load_or_build(const std::string& label, const Progra
     }
     cl::Program built = build_program(*device_, key, label);
     ++compiled_;
-    cache_->store(key, binary_of(built));
+    {
+        std::lock_guard lock(mutex_);
+        not_kept_.emplace_back(key, built);
+    }
+    if (binaries_are_at_hand(device_->info())) keep_binaries();
     return built;
+}
+
+int ProgramLibrary::keep_binaries(const JobContext& job) {
+    for (int written = 0;;) {
+        std::pair<ProgramKey, cl::Program> next;
+        {
+            std::lock_guard lock(mutex_);
+            if (not_kept_.empty()) return written;
+            job.check();
+            next = std::move(not_kept_.back());
+            not_kept_.pop_back();
+        }
+        if (cache_->enabled()) written += cache_->store(next.first, binary_of(next.second));
+    }
 }
 
 }  // namespace lacuna

@@ -23,6 +23,7 @@ public:
     /// empty when none is known.
     static std::filesystem::path default_folder();
 
+    bool enabled() const { return !folder_.empty(); }
     /// The binary stored for exactly this key; none when absent, damaged, or another key's.
     std::optional<std::string> load(const ProgramKey& key) const;
     /// Keeps a binary. @return whether it was written

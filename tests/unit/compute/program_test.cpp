@@ -41,7 +41,9 @@ TEST_F(ProgramTest, ASecondLibraryLoadsFromDisk) {
     EXPECT_EQ(run_fill(*device_, first.kernel_of_text("fill", k_fill, "fill", "-DVALUE=41")), 41);
     EXPECT_EQ(first.counts().compiled, 1);
     EXPECT_EQ(first.counts().loaded_from_disk, 0);
+    first.keep_binaries();
     ASSERT_EQ(files_in(cache_folder()).size(), 1u);
+    EXPECT_EQ(first.keep_binaries(), 0) << "once is enough";
     ProgramLibrary second(device_);
     EXPECT_EQ(run_fill(*device_, second.kernel_of_text("fill", k_fill, "fill", "-DVALUE=41")), 41);
     EXPECT_EQ(second.counts().compiled, 0);
@@ -55,11 +57,16 @@ TEST_F(ProgramTest, OtherOptionsOrSourceAreOtherPrograms) {
     const std::string other = "#define VALUE 3\n" + std::string(k_fill);
     EXPECT_EQ(run_fill(*device_, library.kernel_of_text("fill", other, "fill", "")), 3);
     EXPECT_EQ(library.counts().compiled, 3);
+    library.keep_binaries();
     EXPECT_EQ(files_in(cache_folder()).size(), 3u);
 }
 
 TEST_F(ProgramTest, DamagedEntriesAreCompiledAgain) {
-    { ProgramLibrary(device_).kernel_of_text("fill", k_fill, "fill", "-DVALUE=5"); }
+    {
+        ProgramLibrary library(device_);
+        library.kernel_of_text("fill", k_fill, "fill", "-DVALUE=5");
+        library.keep_binaries();
+    }
     const fs::path file = files_in(cache_folder()).at(0);
     const auto size = [&] { return fs::file_size(file); };
     const auto flip_at = [&](std::uintmax_t offset) {
@@ -85,6 +92,7 @@ TEST_F(ProgramTest, DamagedEntriesAreCompiledAgain) {
         ProgramLibrary library(device_);
         EXPECT_EQ(run_fill(*device_, library.kernel_of_text("fill", k_fill, "fill", "-DVALUE=5")), 5);
         EXPECT_EQ(library.counts().compiled, 1);
+        library.keep_binaries();
         ProgramLibrary after(device_);
         after.kernel_of_text("fill", k_fill, "fill", "-DVALUE=5");
         EXPECT_EQ(after.counts().loaded_from_disk, 1) << "stored again, whole";
@@ -97,6 +105,7 @@ TEST_F(ProgramTest, ABinaryTheDriverRefusesIsCompiledAgain) {
     ProgramLibrary library(device_);
     EXPECT_EQ(run_fill(*device_, library.kernel_of_text("fill", k_fill, "fill", "-DVALUE=6")), 6);
     EXPECT_EQ(library.counts().compiled, 1);
+    library.keep_binaries();
     EXPECT_NE(ProgramCache(cache_folder()).load(key), "not a binary of any driver");
 }
 
@@ -105,6 +114,7 @@ TEST_F(ProgramTest, AFolderThatCannotBeMadeIsTolerated) {
     ProgramLibrary library(device_);
     EXPECT_EQ(run_fill(*device_, library.kernel_of_text("fill", k_fill, "fill", "-DVALUE=7")), 7);
     EXPECT_EQ(library.counts().compiled, 1);
+    EXPECT_EQ(library.keep_binaries(), 0);
     ::setenv("LACUNA_CACHE", "", 1);  // switched off
     ProgramLibrary without(device_);
     EXPECT_EQ(run_fill(*device_, without.kernel_of_text("fill", k_fill, "fill", "-DVALUE=7")), 7);
@@ -126,7 +136,17 @@ TEST_F(ProgramTest, AFailedBuildCarriesItsLogAndIsNotCached) {
         }
     }
     EXPECT_EQ(library.counts().compiled, 0);
+    EXPECT_EQ(library.keep_binaries(), 0);
     EXPECT_TRUE(files_in(cache_folder()).empty());
+}
+
+TEST_F(ProgramTest, KeepingStopsWhenAsked) {
+    ProgramLibrary library(device_);
+    library.kernel_of_text("fill", k_fill, "fill", "-DVALUE=9");
+    library.keep_binaries();
+    std::stop_source source;
+    source.request_stop();
+    EXPECT_EQ(library.keep_binaries({source.get_token()}), 0) << "nothing is left to stop";
 }
 
 TEST_F(ProgramTest, AMissingKernelIsNamed) {
