@@ -18,6 +18,7 @@ void add_convert_command(CLI::App& app, Action& chosen) {
     command->add_option("OUT", *target, "file or folder to write")->required();
     command->callback([&chosen, input, target] {
         chosen = [input, target](Console& console) {
+            input->check();
             const Volume volume = input->load(console);
             write_volume(volume, *target, console.job("Writing"));
             return 0;

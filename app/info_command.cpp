@@ -107,6 +107,7 @@ void add_info_command(CLI::App& app, Action& chosen) {
     command->add_flag("--json", *as_json, "print JSON");
     command->callback([&chosen, input, as_json] {
         chosen = [input, as_json](Console& console) {
+            input->check();
             const Volume volume = input->load(console);
             const VolumeStatistics statistics = compute_statistics(volume, console.job("Measuring"));
             const std::string sha256 = voxel_sha256(volume, console.job("Checksum"));

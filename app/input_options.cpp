@@ -19,12 +19,18 @@ void InputOptions::add_to(CLI::App& command, bool required) {
     command.add_option("INPUT", input, "folder, volume file, or sample:NAME[@SIZE]")->required(required);
     command.add_option("--raw", open.raw, "layout of a raw file: WxHxD:TYPE[:SX,SY,SZ][:be][:+OFFSET]");
     command.add_option("--series", open.series, "which series of a folder: its number or UID");
+    command.add_option("--spacing", spacing_text,
+                       "SX,SY,SZ: mm between voxels, where the file's own are wrong or missing");
     command.add_flag("--keep-gaps", open.keep_gaps, "refuse a series with missing slices instead of interpolating");
     command.add_option("--memory-limit", memory_limit_text, "MB it may use (default: 75 % of the machine's memory)");
 }
 
-void InputOptions::check() const {
+void InputOptions::check() {
     if (!memory_limit_text.empty()) parse_integer("--memory-limit", memory_limit_text, 1, std::int64_t(1) << 30);
+    if (spacing_text.empty()) return;
+    const std::vector<double> s = parse_numbers("--spacing", spacing_text, 3);
+    if (!(s[0] > 0 && s[1] > 0 && s[2] > 0)) refuse("--spacing", spacing_text, "three lengths above 0");
+    open.spacing_mm = glm::dvec3(s[0], s[1], s[2]);
 }
 
 std::uint64_t InputOptions::memory_limit_bytes() const {
@@ -41,7 +47,6 @@ void InputOptions::require_memory(std::uint64_t bytes, const std::string& what) 
 }
 
 Volume InputOptions::load(const Console& console) const {
-    check();
     if (!memory_limit_text.empty() && open.series.empty() && open.raw.empty()) {
         // Before reading: a voxel has a byte at least.
         const std::vector<SeriesEntry> found = list_series(input, console.job("Looking"));

@@ -14,12 +14,12 @@ namespace lacuna::cli {
 struct InputOptions {
     std::string input;
     OpenOptions open;
-    std::string memory_limit_text;
+    std::string memory_limit_text, spacing_text;
 
-    /// Adds the positional INPUT (required unless told) and --raw, --series, --keep-gaps, --memory-limit.
+    /// Adds the positional INPUT (required unless told) and --raw, --series, --spacing, --keep-gaps, --memory-limit.
     void add_to(CLI::App& command, bool required = true);
-    /// Checks the flags' words without touching a file. @throws Error(bad_usage)
-    void check() const;
+    /// Reads the flags' words without touching a file; call it before load. @throws Error(bad_usage)
+    void check();
     /// Bytes this run may use: --memory-limit, else 75 % of the machine's memory.
     std::uint64_t memory_limit_bytes() const;
     /// Opens the input. @throws what open_volume throws; Error(out_of_memory) naming need and limit

@@ -25,7 +25,6 @@ struct RegionsWords {
 
 /// The words that need no volume; threshold ends are resolved later.
 RegionOptions parse_options(const RegionsWords& words) {
-    words.input.check();
     if (words.range_width.has_value() == words.threshold.has_value())
         throw Error(Errc::bad_usage, "give either --range-width W or --threshold LO,HI.");
     RegionOptions options;
@@ -54,6 +53,8 @@ RegionOptions parse_options(const RegionsWords& words) {
 void check_targets(const RegionsWords& words) {
     for (const std::string* target : {&words.labels, &words.json, &words.csv})
         if (!target->empty()) check_target(*target);
+    if (!words.labels.empty() && !words.labels.ends_with(".nrrd"))
+        refuse("--labels", words.labels, "a .nrrd file, the one kind of label volume written");
     if (words.mesh_folder.empty()) return;
     std::error_code ec;
     std::filesystem::create_directories(words.mesh_folder, ec);
@@ -106,27 +107,6 @@ std::string table_text(const RegionTable& table) {
     return text;
 }
 
-void write_labels(const RegionTable& table, const std::string& target, const JobContext& job) {
-    const std::vector<std::uint32_t>& labels = *table.labels.labels;
-    if (table.rows.size() <= 65535) {
-        write_volume(make_volume<std::uint16_t>(table.labels.geometry,
-                                                [&](std::span<std::uint16_t> out) {
-                                                    std::transform(labels.begin(), labels.end(), out.begin(),
-                                                                   [](std::uint32_t id) { return std::uint16_t(id); });
-                                                }),
-                     target, job);
-        return;
-    }
-    if (table.rows.size() > (1u << 24))
-        throw Error(Errc::unsupported,
-                    "There are more than 16777216 regions, which no label file can tell apart; "
-                    "raise --min-voxels.");
-    write_volume(
-        make_volume<float>(table.labels.geometry,
-                           [&](std::span<float> out) { std::copy(labels.begin(), labels.end(), out.begin()); }),
-        target, job);
-}
-
 void write_meshes(const RegionTable& table, const RegionsWords& words, const JobContext& job) {
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const TriangleMesh mesh = region_mesh(table.labels, table.rows[i], JobContext{job.stop, nullptr});
@@ -136,7 +116,8 @@ void write_meshes(const RegionTable& table, const RegionsWords& words, const Job
     }
 }
 
-int run_regions(const RegionsWords& words, Console& console) {
+int run_regions(RegionsWords& words, Console& console) {
+    words.input.check();
     RegionOptions options = parse_options(words);
     check_targets(words);
     const Volume volume = words.input.load(console);
@@ -149,7 +130,7 @@ int run_regions(const RegionsWords& words, Console& console) {
     }
     RegionTable table = find_regions(volume, options, console.job("Finding regions"));
     if (words.inner) keep_inner(table);
-    if (!words.labels.empty()) write_labels(table, words.labels, console.job("Writing labels"));
+    if (!words.labels.empty()) write_labels(table.labels, words.labels, console.job("Writing labels"));
     if (!words.mesh_folder.empty()) write_meshes(table, words, console.job("Writing meshes"));
     if (!words.json.empty()) write_file(words.json, regions_to_json(table));
     if (!words.csv.empty()) write_file(words.csv, regions_to_csv(table));

@@ -40,6 +40,7 @@ void add_show(CLI::App& tf, Action& chosen) {
     input->add_to(*show, false);
     show->callback([&chosen, input, name] {
         chosen = [input, name](Console& console) {
+            input->check();
             const Volume volume = input->input.empty() ? hounsfield_scale() : input->load(console);
             print_or_write(console, make_preset(*name, volume, compute_statistics(volume, console.job("Measuring"))),
                            "");
@@ -58,6 +59,7 @@ void add_fit(CLI::App& tf, Action& chosen) {
     fit->callback([&chosen, input, target] {
         chosen = [input, target](Console& console) {
             if (!target->empty()) check_target(*target);
+            input->check();
             const Volume volume = input->load(console);
             const VolumeStatistics statistics = compute_statistics(volume, console.job("Measuring"));
             print_or_write(console, fit_transfer_function(volume, statistics), *target);
