@@ -8,6 +8,7 @@
 #include "core/render/reference_ray.h"
 #include "core/render/reference_sampler.h"
 #include "core/render/scene.h"
+#include "core/render/shading.h"
 
 namespace lacuna::reference {
 
@@ -18,23 +19,6 @@ struct Pixel {
     glm::dvec4 color{0};  ///< premultiplied
     double depth_mm = k_nothing;
 };
-
-/// A headlight's c = |n.v| turned into a colour, as scene.h defines it.
-inline glm::dvec3 shade(Shading shading, const glm::dvec3& color, double c) {
-    switch (shading) {
-        case Shading::none:
-            return color;
-        case Shading::lambert:
-            return color * (0.2 + 0.8 * c);
-        case Shading::phong:
-            break;
-    }
-    return color * (0.2 + 0.7 * c) + 0.3 * std::pow(c, 20);
-}
-
-inline double grey_level(const ValueRange& window, double value) {
-    return std::fmin(std::fmax((value - window.lo) / window.width(), 0), 1);
-}
 
 /// The shortest true program for one ray in each mode. Counters grow with each call.
 template <class T>
