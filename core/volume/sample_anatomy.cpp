@@ -25,14 +25,18 @@ Part skin() {
                             capsule({0, 26, -50}, {0, 34, -150}, 47), bounded_ellipsoid({0, -64, -78}, {25, 20, 17}),
                             capsule({-32, -74, 12}, {32, -74, 12}, 8)};
     append(parts, both_sides([](double s) { return bounded_ellipsoid({s * 40, -52, -34}, {17, 18, 16}); }));
+    // Flesh over the cheekbones and along the jaw.
+    append(parts, both_sides([](double s) { return capsule({s * 40, -50, -20}, {s * 55, -8, -14}, 13); }));
+    append(parts, both_sides([](double s) { return capsule({s * 46, 2, -26}, {s * 43, -6, -62}, 17); }));
+    append(parts, both_sides([](double s) { return capsule({s * 43, -6, -62}, {s * 15, -62, -80}, 15); }));
     Part face = unite(std::move(parts), 16);
-    std::vector<Part> hollows = both_sides([](double s) { return ball({s * 32, -97, -5}, 19); });
+    std::vector<Part> hollows = both_sides([](double s) { return ball({s * 32, -96, -5}, 15); });
     face = cut(std::move(face), unite(std::move(hollows)), 9);
     std::vector<Part> details{std::move(face), capsule({0, -84, 2}, {0, -98, -26}, 7), ball({0, -98, -29}, 9.5),
                               capsule({-14, -85, -54}, {14, -85, -54}, 4.5),
                               capsule({-11, -84, -63}, {11, -84, -63}, 5)};
     append(details, both_sides([](double s) { return ball({s * 9, -92, -33}, 6); }));
-    append(details, both_sides([](double s) { return bounded_ellipsoid({s * 31, -72, -5}, {14, 13, 11}); }));
+    append(details, both_sides([](double s) { return bounded_ellipsoid({s * 31, -67, -5}, {14, 13, 10}); }));
     append(details, both_sides([](double s) { return bounded_ellipsoid({s * 74, 16, -10}, {6, 15, 26}); }));
     return unite(std::move(details), 6);
 }
@@ -64,8 +68,8 @@ Layer air_spaces() {
     Layer layer{-1000,
                 {ellipsoid({0, -66, -24}, {10, 24, 17}), ellipsoid({0, -20, -16}, {13, 11, 9}),
                  capsule({0, -44, -34}, {0, 0, -48}, 7), capsule({0, 0, -48}, {0, 2, -150}, 8)}};
-    append(layer.parts, both_sides([](double s) { return ellipsoid({s * 27, -50, -28}, {11, 14, 13}); }));
-    append(layer.parts, both_sides([](double s) { return ellipsoid({s * 13, -74, 15}, {9, 3.5, 6}); }));
+    append(layer.parts, both_sides([](double s) { return ellipsoid({s * 26, -46, -29}, {10, 13, 12}); }));
+    append(layer.parts, both_sides([](double s) { return ellipsoid({s * 13, -69, 13}, {8, 3, 4.5}); }));
     append(layer.parts, both_sides([](double s) { return capsule({s * 6, -78, -30}, {s * 6.5, -97, -41}, 3.2); }));
     append(layer.parts, both_sides([](double s) { return capsule({s * 66, 14, -12}, {s * 90, 14, -12}, 3.0); }));
     return layer;
@@ -101,7 +105,7 @@ Scene head(const SampleOptions& options) {
                     {37, {capsule({0, 44, -26}, {0, 54, -150}, 6)}},  // spinal canal
                     std::move(orbits),
                     {15, both_sides([](double s) {
-                         return ball({s * 31, -73, -5}, 11.5);
+                         return ball({s * 31, -67, -5}, 10.5);
                      })},
                     teeth(),
                     air_spaces(),
