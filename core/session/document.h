@@ -1,0 +1,97 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/job.h"
+#include "core/regions/regions.h"
+#include "core/render/plan.h"
+#include "core/render/scene.h"
+#include "core/volume/statistics.h"
+
+namespace lacuna {
+
+/// A segmentation range as a person edits it: it may be switched off without being forgotten.
+struct RangeSetting {
+    SegmentationRange range;
+    bool enabled = true;
+    friend bool operator==(const RangeSetting&, const RangeSetting&) = default;
+};
+
+/// A cutting plane as a person edits it.
+struct CutSetting {
+    CuttingPlane plane;
+    bool enabled = true;
+    friend bool operator==(const CutSetting&, const CutSetting&) = default;
+};
+
+/// How carefully to draw.
+struct Quality {
+    double step = 0.5;       ///< in units of the smallest voxel spacing
+    bool skip_empty = true;  ///< let the default plan choose a structure; else none
+    Sampler sampler = Sampler::linear;
+    friend bool operator==(const Quality&, const Quality&) = default;
+};
+
+/// Everything undo brings back: how the volume is shown, but neither the camera nor the cross-hair nor results.
+struct ViewSettings {
+    ViewMode mode = ViewMode::ea;
+    double iso = 0;
+    double lmip_threshold = 0;
+    Shading shading = Shading::phong;
+    TransferFunction tf;
+    std::vector<RangeSetting> ranges;  ///< at most Classification::k_max_ranges
+    std::vector<CutSetting> cuts;      ///< at most Scene::k_max_cuts
+    ValueRange window;                 ///< grey levels of the slices
+    ValueRange projection_window;      ///< grey levels of the projections and of cut faces
+    bool color_by_tf = false;          ///< projections in the transfer function's colours
+    glm::dvec3 surface_color{0.92, 0.88, 0.80};
+    Quality quality;
+    friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
+};
+
+/// What a window shows: a volume, what is known of it, how it is seen, and what was found in it. A value; copies share
+/// the voxels and the results.
+struct Document {
+    std::string input;  ///< as opened
+    Volume volume;
+    std::shared_ptr<const VolumeStatistics> statistics;
+    ViewSettings settings;
+    Camera camera;
+    glm::dvec3 cursor_mm{0};                     ///< the linked cross-hair
+    std::shared_ptr<const RegionTable> regions;  ///< null until computed
+    std::uint32_t selected_region = 0;           ///< an id of `regions`; 0: none
+    std::shared_ptr<const Highlight> highlight;  ///< the selected region's voxels; null: none
+};
+
+/// A named pair of grey levels for slices, as centre and width.
+struct WindowPreset {
+    const char* name;
+    double center, width;
+};
+
+/// Hounsfield windows for CT.
+const std::vector<WindowPreset>& hounsfield_windows();
+
+/// A document with everything fitted to the data and the cross-hair in the middle. Cost: one pass over the voxels.
+/// @throws Error(bad_input) for an empty volume; Error(cancelled)
+Document make_document(std::string input, Volume volume, const JobContext& job = {});
+
+/// The grey window a volume opens with: the file's own, soft tissue for HU, else percentiles 0.1 to 99.9.
+ValueRange default_window(const Volume& volume, const VolumeStatistics& statistics);
+
+/// The document as a scene: disabled ranges and cuts left out, the selected region highlighted, perspective dropped
+/// where the mode cannot do it. The image size and background are left to the caller.
+Scene scene_of(const Document& document);
+
+/// The least plan for that scene at the document's quality.
+Plan plan_of(const Document& document, const Scene& scene);
+
+/// The voxels of one region as a highlight. Cost: one pass over its bounding box.
+Highlight highlight_of(const RegionTable& table, const RegionCharacteristics& region);
+
+/// The voxel nearest to a position, clamped into the grid.
+glm::ivec3 nearest_voxel(const GridGeometry& geometry, const glm::dvec3& mm);
+
+}  // namespace lacuna

@@ -1,0 +1,104 @@
+#include "core/session/document.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace lacuna {
+namespace {
+
+Volume ramp(glm::ivec3 size, glm::dvec3 spacing = glm::dvec3(1)) {
+    GridGeometry geometry;
+    geometry.size = size;
+    geometry.spacing = spacing;
+    return make_volume<std::int16_t>(geometry, [](std::span<std::int16_t> v) {
+        for (std::size_t i = 0; i < v.size(); ++i) v[i] = std::int16_t(i);
+    });
+}
+
+TEST(Document, AnEmptyVolumeIsRefused) { EXPECT_THROW(make_document("x", Volume()), Error); }
+
+TEST(Document, OddVolumesOpen) {
+    for (const glm::ivec3 size : {glm::ivec3(1, 1, 1), glm::ivec3(1, 1, 7), glm::ivec3(5, 3, 1)}) {
+        const Document document = make_document("odd", ramp(size, {1, 1, 5}));
+        EXPECT_GT(document.settings.window.width(), 0);
+        const Scene scene = scene_of(document);
+        EXPECT_NO_THROW(check(scene));
+        EXPECT_NO_THROW(check(plan_of(document, scene), scene));
+    }
+}
+
+TEST(Document, NanVolumesOpen) {
+    GridGeometry geometry;
+    geometry.size = {3, 3, 3};
+    const Volume volume = make_volume<float>(
+        geometry, [](std::span<float> v) { std::fill(v.begin(), v.end(), std::numeric_limits<float>::quiet_NaN()); });
+    const Document document = make_document("nan", volume);
+    EXPECT_TRUE(std::isfinite(document.settings.window.lo) && std::isfinite(document.settings.window.hi));
+    EXPECT_GT(document.settings.window.width(), 0);
+}
+
+TEST(Document, SwitchedOffRangesAndCutsLeaveTheScene) {
+    Document document = make_document("ramp", ramp({8, 8, 8}));
+    document.settings.ranges = {{{"a", {1, 2}, {}}, true}, {{"b", {3, 4}, {}}, false}};
+    document.settings.cuts = {{CuttingPlane{}, false}, {CuttingPlane{{0, 1, 0}, 2, false}, true}};
+    const Scene scene = scene_of(document);
+    ASSERT_EQ(scene.classification.ranges.size(), 1u);
+    EXPECT_EQ(scene.classification.ranges[0].name, "a");
+    ASSERT_EQ(scene.cuts.size(), 1u);
+    EXPECT_EQ(scene.cuts[0].offset, 2);
+}
+
+TEST(Document, ShearWarpDropsPerspective) {
+    Document document = make_document("ramp", ramp({8, 8, 8}));
+    document.camera.fov_deg = 30;
+    document.settings.mode = ViewMode::shear_warp;
+    EXPECT_FALSE(scene_of(document).camera.fov_deg.has_value());
+    document.settings.mode = ViewMode::iso;
+    EXPECT_TRUE(scene_of(document).camera.fov_deg.has_value());
+}
+
+TEST(Document, TheDicomWindowIsTaken) {
+    Volume volume = ramp({4, 4, 4});
+    volume.unit = "HU";
+    VolumeStatistics statistics = compute_statistics(volume);
+    EXPECT_EQ(default_window(volume, statistics), (ValueRange{-160, 240}));
+    volume.dicom.emplace();
+    volume.dicom->window_center = 10;
+    volume.dicom->window_width = 20;
+    EXPECT_EQ(default_window(volume, statistics), (ValueRange{0, 20}));
+    volume.dicom->window_width = std::nan("");
+    EXPECT_EQ(default_window(volume, statistics), (ValueRange{-160, 240}));
+}
+
+TEST(Document, AHighlightHoldsItsRegionOnly) {
+    RegionTable table;
+    table.labels.geometry.size = {4, 3, 2};
+    table.labels.labels = std::make_shared<std::vector<std::uint32_t>>(24, 0u);
+    auto& labels = *table.labels.labels;
+    labels[std::size_t(table.labels.geometry.linear_index(1, 1, 0))] = 2;
+    labels[std::size_t(table.labels.geometry.linear_index(2, 2, 1))] = 2;
+    labels[std::size_t(table.labels.geometry.linear_index(2, 1, 1))] = 1;
+    RegionCharacteristics region;
+    region.id = 2;
+    region.bbox_first = {1, 1, 0};
+    region.bbox_last = {2, 2, 1};
+    const Highlight highlight = highlight_of(table, region);
+    EXPECT_EQ(highlight.size, glm::ivec3(2, 2, 2));
+    EXPECT_EQ(std::count(highlight.inside->begin(), highlight.inside->end(), 1), 2);
+    EXPECT_EQ((*highlight.inside)[0], 1);
+    EXPECT_EQ((*highlight.inside)[7], 1);
+}
+
+TEST(Document, TheNearestVoxelStaysInside) {
+    GridGeometry geometry;
+    geometry.size = {10, 10, 10};
+    geometry.spacing = {1, 1, 5};
+    EXPECT_EQ(nearest_voxel(geometry, {-100, 4.4, 1e9}), glm::ivec3(0, 4, 9));
+    EXPECT_EQ(nearest_voxel(geometry, {std::nan(""), 0, 12.6}), glm::ivec3(0, 0, 3));
+}
+
+}  // namespace
+}  // namespace lacuna

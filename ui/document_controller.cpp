@@ -1,0 +1,77 @@
+#include "ui/document_controller.h"
+
+#include <QGuiApplication>
+
+namespace lacuna::ui {
+
+namespace {
+constexpr int k_gesture_pause_ms = 700;
+}
+
+DocumentController::DocumentController(QObject* parent) : QObject(parent) {
+    gesture_end_.setSingleShot(true);
+    gesture_end_.setInterval(k_gesture_pause_ms);
+    connect(&gesture_end_, &QTimer::timeout, this, [this] {
+        if (QGuiApplication::mouseButtons() != Qt::NoButton)
+            gesture_end_.start();  // still dragging
+        else
+            history_.seal();
+    });
+}
+
+void DocumentController::open(const Document& document) {
+    document_ = document;
+    history_.reset();
+    Q_EMIT opened();
+    Q_EMIT historyChanged();
+}
+
+void DocumentController::edit(const QString& name, const ViewSettings& next) {
+    if (!document_ || !history_.note(name.toStdString(), document_->settings, next)) return;
+    gesture_end_.start();
+    replaceSettings(next);
+}
+
+void DocumentController::undo() {
+    if (document_ && history_.can_undo()) replaceSettings(history_.undo());
+}
+
+void DocumentController::redo() {
+    if (document_ && history_.can_redo()) replaceSettings(history_.redo());
+}
+
+void DocumentController::replaceSettings(const ViewSettings& settings) {
+    document_->settings = ViewSettings(settings);
+    Q_EMIT settingsChanged();
+    Q_EMIT historyChanged();
+}
+
+void DocumentController::setCamera(const Camera& camera) {
+    if (!document_ || document_->camera == camera) return;
+    document_->camera = camera;
+    Q_EMIT cameraChanged();
+}
+
+void DocumentController::setCursor(const glm::dvec3& mm) {
+    if (!document_ || document_->cursor_mm == mm) return;
+    document_->cursor_mm = mm;
+    Q_EMIT cursorChanged();
+}
+
+void DocumentController::setRegions(std::shared_ptr<const RegionTable> regions) {
+    if (!document_) return;
+    document_->regions = std::move(regions);
+    document_->selected_region = 0;
+    document_->highlight.reset();
+    Q_EMIT regionsChanged();
+    Q_EMIT selectionChanged();
+}
+
+void DocumentController::selectRegion(std::uint32_t id, std::shared_ptr<const Highlight> highlight) {
+    if (!document_) return;
+    document_->selected_region = id;
+    document_->highlight = std::move(highlight);
+    Q_EMIT selectionChanged();
+}
+
+}  // namespace lacuna::ui

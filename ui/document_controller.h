@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <optional>
+
+#include "core/session/document.h"
+#include "core/session/edit_history.h"
+
+namespace lacuna::ui {
+
+/// Owns the open document and its undo history; the one place that changes them. Everyone else gets values.
+class DocumentController final : public QObject {
+    Q_OBJECT
+public:
+    explicit DocumentController(QObject* parent = nullptr);
+
+    bool hasDocument() const { return document_.has_value(); }
+    /// @pre hasDocument()
+    const Document& document() const { return *document_; }
+    const EditHistory& history() const { return history_; }
+
+public Q_SLOTS:
+    void open(const lacuna::Document& document);
+    /// Replaces the settings as a step of undo; edits of one name in quick succession are one step.
+    void edit(const QString& name, const lacuna::ViewSettings& next);
+    void undo();
+    void redo();
+    void setCamera(const lacuna::Camera& camera);
+    void setCursor(const glm::dvec3& mm);
+    void setRegions(std::shared_ptr<const lacuna::RegionTable> regions);
+    /// @param highlight  the region's voxels; null while they are being gathered, or for none
+    void selectRegion(std::uint32_t id, std::shared_ptr<const lacuna::Highlight> highlight);
+
+Q_SIGNALS:
+    void opened();
+    void settingsChanged();
+    void cameraChanged();
+    void cursorChanged();
+    void regionsChanged();
+    void selectionChanged();
+    void historyChanged();
+
+private:
+    void replaceSettings(const ViewSettings& settings);
+
+    std::optional<Document> document_;
+    EditHistory history_;
+    QTimer gesture_end_;
+};
+
+}  // namespace lacuna::ui

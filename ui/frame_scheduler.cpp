@@ -1,0 +1,141 @@
+#include "ui/frame_scheduler.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna::ui {
+
+namespace {
+
+QString describe(const Scene& scene, const Plan& plan) {
+    return QStringLiteral("%1 · %2 · step %3")
+        .arg(QString::fromUtf8(name_of(scene.mode).data(), qsizetype(name_of(scene.mode).size())),
+             QString::fromUtf8(name_of(plan.structure).data(), qsizetype(name_of(plan.structure).size())))
+        .arg(plan.step, 0, 'g', 3);
+}
+
+}  // namespace
+
+QImage to_image(const Frame& frame) {
+    QImage image(frame.size.x, frame.size.y, QImage::Format_ARGB32_Premultiplied);
+    const auto level = [](float share) { return int(std::lround(255 * std::clamp(share, 0.0f, 1.0f))); };
+    for (int y = 0; y < frame.size.y; ++y) {
+        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
+        const glm::vec4* row = frame.color.data() + std::size_t(y) * std::size_t(frame.size.x);
+        for (int x = 0; x < frame.size.x; ++x) {
+            const int alpha = level(row[x].a);
+            line[x] = qRgba(std::min(level(row[x].r), alpha), std::min(level(row[x].g), alpha),
+                            std::min(level(row[x].b), alpha), alpha);
+        }
+    }
+    return image;
+}
+
+FrameScheduler::FrameScheduler(QObject* parent) : QObject(parent), job_(this) {
+    still_.setSingleShot(true);
+    still_.setInterval(k_still_ms);
+    connect(&still_, &QTimer::timeout, this, [this] {
+        if (!coarse_running_) start(false);
+    });
+}
+
+FrameScheduler::~FrameScheduler() = default;
+
+void FrameScheduler::setEngine(std::shared_ptr<Engine> engine) {
+    engine_ = std::move(engine);
+    changed();
+}
+
+void FrameScheduler::setSize(QSize pixels) {
+    if (pixels == size_) return;
+    size_ = pixels;
+    changed();
+}
+
+void FrameScheduler::setScene(const Scene& scene, const Plan& plan) {
+    scene_ = std::make_shared<const Scene>(scene);
+    plan_ = plan;
+    changed();
+}
+
+void FrameScheduler::clear() {
+    scene_.reset();
+    cancel();
+}
+
+void FrameScheduler::cancel() {
+    still_.stop();
+    job_.cancel();
+    coarse_running_ = changed_since_start_ = false;
+    Q_EMIT busyChanged(false);
+}
+
+void FrameScheduler::changed() {
+    if (!engine_ || !scene_ || size_.isEmpty()) return;
+    still_.start();
+    if (coarse_running_ && since_start_.elapsed() < k_give_up_ms) {
+        changed_since_start_ = true;
+        return;
+    }
+    if (coarse_running_) divisor_ = std::min(8, divisor_ + 1);
+    start(true);
+}
+
+void FrameScheduler::start(bool coarse) {
+    if (!engine_ || !scene_ || size_.isEmpty()) return;
+    Scene scene = *scene_;
+    Plan plan = plan_;
+    const int divisor = coarse ? divisor_ : 1;
+    const bool complete = divisor == 1;  // fast enough to need no coarse frame before it
+    scene.size = {std::max(1, size_.width() / divisor), std::max(1, size_.height() / divisor)};
+    if (!complete && scene.mode != ViewMode::shear_warp) plan.step = std::max(plan.step, std::min(1.0, 2 * plan.step));
+    coarse_running_ = coarse;
+    changed_since_start_ = false;
+    since_start_.start();
+    job_.start(
+        [engine = engine_, scene = std::move(scene), plan = std::move(plan)](const JobContext& job) {
+            return engine->render(scene, plan, job);
+        },
+        [this, coarse, complete](Outcome<RenderResult> outcome) { finish(coarse, complete, std::move(outcome)); },
+        [this](double share) { Q_EMIT progressed(share); });
+    Q_EMIT busyChanged(true);
+}
+
+void FrameScheduler::finish(bool coarse, bool complete, Outcome<RenderResult> outcome) {
+    coarse_running_ = false;
+    if (const Error* error = std::get_if<Error>(&outcome)) {
+        still_.stop();
+        Q_EMIT busyChanged(false);
+        if (error->code() != Errc::cancelled) Q_EMIT failed(QString::fromStdString(error->what()));
+        return;
+    }
+    const RenderResult& result = std::get<RenderResult>(outcome);
+    adapt(result);
+    FrameFacts facts;
+    facts.coarse = !complete;
+    facts.ms = result.frame.ms;
+    facts.device = QString::fromStdString(engine_->device_name());
+    facts.plan = describe(*scene_, plan_);
+    facts.bytes_held = engine_->bytes_held();
+    Q_EMIT frameReady(to_image(result.frame), facts);
+    if (changed_since_start_) {
+        start(true);
+        return;
+    }
+    if (complete) still_.stop();
+    if (coarse && !complete && !still_.isActive())
+        start(false);
+    else
+        Q_EMIT busyChanged(busy());
+}
+
+void FrameScheduler::adapt(const RenderResult& result) {
+    if (size_.isEmpty() || result.frame.pixels() == 0) return;
+    const double full_pixels = double(size_.width()) * size_.height();
+    const double full_ms = result.frame.ms * full_pixels / double(result.frame.pixels());
+    const double wanted = std::sqrt(std::max(full_ms, 0.01) / k_coarse_ms);
+    const int divisor = std::clamp(int(std::ceil(wanted)), 1, 8);
+    divisor_ = std::clamp(divisor, std::max(1, divisor_ - 1), 8);  // grow at once, shrink slowly
+}
+
+}  // namespace lacuna::ui

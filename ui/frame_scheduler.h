@@ -1,0 +1,73 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QObject>
+#include <QTimer>
+#include <memory>
+
+#include "core/render/engine.h"
+#include "ui/latest_job.h"
+
+namespace lacuna::ui {
+
+/// What is said of a frame in the status line.
+struct FrameFacts {
+    bool coarse = false;
+    double ms = 0;
+    QString device, plan;
+    std::size_t bytes_held = 0;
+};
+
+/// Turns scenes into pictures off the UI thread: at once a coarse one, small and with long steps; a full one as soon as
+/// nothing has changed for a moment. A full frame is cancelled by any change; a coarse one is let finish, unless it
+/// turns out slow, so that a fast hand still sees pictures. How coarse follows from the frames measured before.
+class FrameScheduler final : public QObject {
+    Q_OBJECT
+public:
+    static constexpr int k_still_ms = 120;       ///< after this long without a change the full frame starts
+    static constexpr double k_coarse_ms = 70;    ///< what a coarse frame may take
+    static constexpr qint64 k_give_up_ms = 300;  ///< a coarse frame slower than this makes way for the next
+
+    explicit FrameScheduler(QObject* parent = nullptr);
+    ~FrameScheduler() override;
+
+    /// Rendering begins once there is an engine, a scene and a size.
+    void setEngine(std::shared_ptr<Engine> engine);
+    bool hasEngine() const { return engine_ != nullptr; }
+    /// Size of the picture in device pixels.
+    void setSize(QSize pixels);
+    void setScene(const Scene& scene, const Plan& plan);
+    /// Forgets the scene and stops.
+    void clear();
+    /// Stops the frame being drawn; the next change starts again.
+    void cancel();
+    bool busy() const { return job_.running() || still_.isActive(); }
+
+Q_SIGNALS:
+    void frameReady(const QImage& image, const lacuna::ui::FrameFacts& facts);
+    void failed(const QString& sentence);
+    void busyChanged(bool busy);
+    void progressed(double share);
+
+private:
+    void changed();
+    void start(bool coarse);
+    void finish(bool coarse, bool complete, Outcome<RenderResult> outcome);
+    void adapt(const RenderResult& result);
+
+    std::shared_ptr<Engine> engine_;
+    std::shared_ptr<const Scene> scene_;
+    Plan plan_;
+    QSize size_;
+    QTimer still_;
+    QElapsedTimer since_start_;
+    bool coarse_running_ = false, changed_since_start_ = false;
+    int divisor_ = 3;
+    LatestJob<RenderResult> job_;
+};
+
+/// A frame as a picture with transparency (sRGB, premultiplied).
+QImage to_image(const Frame& frame);
+
+}  // namespace lacuna::ui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <vector>
+
+#include "core/io/volume_reader.h"
+#include "core/session/document.h"
+#include "ui/latest_job.h"
+
+namespace lacuna::ui {
+
+/// Opens inputs on a worker thread. One at a time: a newer one cancels the one before.
+class LoadController final : public QObject {
+    Q_OBJECT
+public:
+    explicit LoadController(QObject* parent = nullptr) : QObject(parent), job_(this) {}
+
+    bool loading() const { return job_.running(); }
+
+public Q_SLOTS:
+    /// @param series  of several under the input: its number or UID; empty: there is one, or the choice is asked for
+    void open(const QString& input, const QString& series = {});
+    void cancel();
+
+Q_SIGNALS:
+    void started(const QString& input);
+    void progressed(double share);
+    void loaded(const lacuna::Document& document);
+    void failed(const QString& sentence);
+    void cancelled();
+    /// Several volumes lie under the input; one is to be chosen.
+    void choiceNeeded(const QString& input, const std::vector<lacuna::SeriesEntry>& entries);
+    void finished();  ///< after any of the four outcomes
+
+private:
+    /// What a load ends with when it does not fail: a document, or the volumes to choose from.
+    struct Opened {
+        Document document;
+        std::vector<SeriesEntry> choice;
+    };
+    LatestJob<Opened> job_;
+};
+
+}  // namespace lacuna::ui

@@ -1,0 +1,235 @@
+// The window's menus: every command with its key.
+#include <QActionGroup>
+#include <QApplication>
+#include <QBuffer>
+#include <QFileDialog>
+#include <QMenuBar>
+#include <QMessageBox>
+
+#include "core/base/atomic_file.h"
+#include "core/volume/samples.h"
+#include "ui/main_window.h"
+
+namespace lacuna::ui {
+
+namespace {
+
+template <class Context, class Slot>
+QAction* add(QMenu* menu, const QString& text, const QKeySequence& key, Context* context, Slot&& slot) {
+    QAction* action = menu->addAction(text);
+    action->setShortcut(key);
+    QObject::connect(action, &QAction::triggered, context, std::forward<Slot>(slot));
+    return action;
+}
+
+}  // namespace
+
+void MainWindow::buildMenus() {
+    buildFileMenu();
+    buildEditMenu();
+    buildViewMenu();
+    buildGoMenu();
+    buildToolsMenu();
+    QMenu* help = menuBar()->addMenu(tr("&Help"));
+    add(help, tr("&Mouse and keys"), QKeySequence(Qt::Key_F1), this, &MainWindow::showControls);
+    add(help, tr("&About Lacuna"), {}, this, &MainWindow::showAbout);
+    for (QAction* action : needs_document_) action->setEnabled(false);
+    connect(status_, &StatusLine::cancelRequested, this, &MainWindow::cancelShown);
+}
+
+void MainWindow::buildFileMenu() {
+    QMenu* file = menuBar()->addMenu(tr("&File"));
+    add(file, tr("Open &folder…"), QKeySequence(QStringLiteral("Ctrl+Shift+O")), this, &MainWindow::openFolder);
+    add(file, tr("&Open file…"), QKeySequence::Open, this, &MainWindow::openFile);
+    QMenu* samples = file->addMenu(tr("Open &sample"));
+    int number = 0;
+    for (const std::string_view name : sample_names()) {
+        const QString text = QString::fromUtf8(name.data(), qsizetype(name.size()));
+        ++number;
+        add(samples, QStringLiteral("&%1  %2").arg(number).arg(text),
+            QKeySequence(QStringLiteral("Ctrl+Alt+%1").arg(number)), this,
+            [this, text] { openInput(QStringLiteral("sample:") + text); });
+    }
+    file->addSeparator();
+    needs_document_ << add(file, tr("&Save the 3D picture…"), QKeySequence::Save, this, &MainWindow::savePicture);
+    needs_document_ << add(file, tr("&Export the region table…"), QKeySequence(QStringLiteral("Ctrl+E")), this,
+                           &MainWindow::exportRegions);
+    file->addSeparator();
+    add(file, tr("&Quit"), QKeySequence(QStringLiteral("Ctrl+Q")), this, &QWidget::close);
+}
+
+void MainWindow::buildEditMenu() {
+    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+    QAction* undo =
+        add(edit, tr("&Undo"), QKeySequence(QStringLiteral("Ctrl+Z")), documents_, &DocumentController::undo);
+    QAction* redo =
+        add(edit, tr("&Redo"), QKeySequence(QStringLiteral("Ctrl+Shift+Z")), documents_, &DocumentController::redo);
+    const auto show = [this, undo, redo] {
+        const EditHistory& history = documents_->history();
+        undo->setEnabled(history.can_undo());
+        redo->setEnabled(history.can_redo());
+        undo->setText(history.can_undo() ? tr("&Undo: %1").arg(QString::fromStdString(history.undo_name()))
+                                         : tr("&Undo"));
+        redo->setText(history.can_redo() ? tr("&Redo: %1").arg(QString::fromStdString(history.redo_name()))
+                                         : tr("&Redo"));
+    };
+    connect(documents_, &DocumentController::historyChanged, this, show);
+    show();
+}
+
+void MainWindow::buildViewMenu() {
+    QMenu* view = menuBar()->addMenu(tr("&View"));
+    QMenu* modes = view->addMenu(tr("View &mode"));
+    modes_ = new QActionGroup(this);
+    for (std::size_t i = 0; i < mode_names().size(); ++i) {
+        QAction* action = add(modes, mode_names()[i].name, QKeySequence(QString::number(i + 1)), this, [this, i] {
+            ViewSettings next = documents_->document().settings;
+            next.mode = mode_names()[i].mode;
+            documents_->edit(tr("View mode"), next);
+        });
+        action->setCheckable(true);
+        modes_->addAction(action);
+        needs_document_ << action;
+    }
+    QMenu* sides = view->addMenu(tr("&Look from"));
+    const std::pair<char, QString> names[] = {{'A', tr("Front (anterior)")},
+                                              {'P', tr("Back (posterior)")},
+                                              {'L', tr("Left")},
+                                              {'R', tr("Right")},
+                                              {'H', tr("Head")},
+                                              {'F', tr("Feet")}};
+    for (const auto& [side, name] : names)
+        needs_document_ << add(sides, name, QKeySequence(QString(QLatin1Char(side))), this,
+                               [this, side = side] { views_->volumeView()->lookFrom(side); });
+    needs_document_ << add(view, tr("&Reset the 3D view"), QKeySequence(QStringLiteral("0")), views_->volumeView(),
+                           &VolumeView::resetCamera);
+    needs_document_ << add(view, tr("Reset the &slices"), QKeySequence(QStringLiteral("Shift+0")), this, [this] {
+        for (SliceView* slice : views_->slices()) slice->resetView();
+    });
+    QAction* perspective = add(view, tr("&Perspective"), QKeySequence(QStringLiteral("Ctrl+P")), this, [this](bool on) {
+        Camera camera = documents_->document().camera;
+        camera.fov_deg = on ? std::optional<double>(30) : std::nullopt;
+        documents_->setCamera(camera);
+    });
+    perspective->setCheckable(true);
+    connect(documents_, &DocumentController::opened, perspective, [perspective] { perspective->setChecked(false); });
+    needs_document_ << perspective;
+    view->addSeparator();
+    needs_document_ << add(view, tr("Ma&ximise the view, or show all four"), QKeySequence(QStringLiteral("M")), views_,
+                           &FourUp::toggleFocused);
+    QAction* full = add(view, tr("&Full screen"), QKeySequence(QStringLiteral("F11")), this,
+                        [this](bool on) { on ? showFullScreen() : showNormal(); });
+    full->setCheckable(true);
+}
+
+void MainWindow::focusTab(int tab, QWidget* widget) {
+    tabs_->setCurrentIndex(tab);
+    widget->setFocus(Qt::TabFocusReason);
+}
+
+void MainWindow::buildGoMenu() {
+    QMenu* go = menuBar()->addMenu(tr("&Go"));
+    const auto key = [](int digit) { return QKeySequence(QStringLiteral("Ctrl+%1").arg(digit)); };
+    const auto to = [](QWidget* widget) { return [widget] { widget->setFocus(Qt::TabFocusReason); }; };
+    add(go, tr("&3D view"), key(1), this, to(views_->volumeView()));
+    add(go, tr("&Axial slice"), key(2), this, to(views_->slice(SliceKind::axial)));
+    add(go, tr("&Coronal slice"), key(3), this, to(views_->slice(SliceKind::coronal)));
+    add(go, tr("&Sagittal slice"), key(4), this, to(views_->slice(SliceKind::sagittal)));
+    add(go, tr("View &mode"), key(5), this, to(render_panel_->modeBox()));
+    add(go, tr("C&olours"), key(6), this, [this] { focusTab(0, transfer_panel_->plot()); });
+    add(go, tr("&Ranges"), key(7), this, [this] { focusTab(1, ranges_panel_->addButton()); });
+    add(go, tr("C&uts"), key(8), this, [this] { focusTab(2, cuts_panel_->addButton()); });
+    add(go, tr("&Grey levels"), key(9), this, [this] { focusTab(3, slices_panel_->presetBox()); });
+    add(go, tr("Region &table"), key(0), this, to(regions_panel_->table()));
+    needs_document_ << go->actions();
+}
+
+void MainWindow::buildToolsMenu() {
+    QMenu* tools = menuBar()->addMenu(tr("&Tools"));
+    QAction* range =
+        add(tools, tr("Add a segmentation &range"), QKeySequence(QStringLiteral("Ctrl+Alt+R")), this, [this] {
+            tabs_->setCurrentWidget(ranges_panel_);
+            ranges_panel_->addRange();
+        });
+    QAction* cut = add(tools, tr("Add a &cutting plane"), QKeySequence(QStringLiteral("Ctrl+Alt+X")), this, [this] {
+        tabs_->setCurrentWidget(cuts_panel_);
+        cuts_panel_->addCut();
+    });
+    QAction* regions = add(tools, tr("Compute re&gions"), QKeySequence(QStringLiteral("Ctrl+R")), this,
+                           [this] { regions_->compute(documents_->document().volume, regions_panel_->options()); });
+    needs_document_ << range << cut << regions;
+}
+
+void MainWindow::openFolder() {
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a folder of DICOM files or TIFF slices"));
+    if (!folder.isEmpty()) openInput(folder);
+}
+
+void MainWindow::openFile() {
+    const QString file = QFileDialog::getOpenFileName(
+        this, tr("Open a volume"), QString(),
+        tr("Volumes (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif *.tiff);;"
+           "All files (*)"));
+    if (!file.isEmpty()) openInput(file);
+}
+
+void MainWindow::savePicture() {
+    const QString file = QFileDialog::getSaveFileName(this, tr("Save the 3D picture"), QStringLiteral("lacuna.png"),
+                                                      tr("Pictures (*.png)"));
+    if (file.isEmpty()) return;
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    views_->volumeView()->grab().save(&buffer, "PNG");
+    try {
+        write_file(file.toStdString(), std::string_view(bytes.constData(), std::size_t(bytes.size())));
+    } catch (const Error& error) {
+        messages_->showError(QString::fromStdString(error.what()));
+    }
+}
+
+void MainWindow::exportRegions() {
+    if (!documents_->hasDocument() || !documents_->document().regions) {
+        messages_->showNotice(tr("There is no region table yet; compute the regions first."));
+        return;
+    }
+    const QString file = QFileDialog::getSaveFileName(this, tr("Export the region table"),
+                                                      QStringLiteral("regions.csv"), tr("Tables (*.csv)"));
+    if (file.isEmpty()) return;
+    try {
+        write_file(file.toStdString(), regions_to_csv(*documents_->document().regions));
+    } catch (const Error& error) {
+        messages_->showError(QString::fromStdString(error.what()));
+    }
+}
+
+void MainWindow::showAbout() {
+    QMessageBox::about(
+        this, tr("About Lacuna"),
+        tr("<h3>Lacuna %1</h3><p>A workstation for computed tomography: pictures whose error is known, and the "
+           "measures "
+           "of what is found in them.</p><p><b>Not a medical device; not for diagnosis.</b></p><p>Free software under "
+           "the GNU General Public License, version 3 or later.</p>")
+            .arg(QStringLiteral(LACUNA_VERSION)));
+}
+
+void MainWindow::showControls() {
+    QMessageBox box(this);
+    box.setWindowTitle(tr("Mouse and keys"));
+    box.setTextFormat(Qt::RichText);
+    box.setText(tr(
+        "<h4>3D view</h4>Left drag turns, middle or Shift+left drag moves, wheel or right drag zooms.<br>"
+        "Arrows turn, Shift+arrows move, + and − zoom, comma and full stop roll, 0 resets.<br>"
+        "A, P, L, R, H, F look from a side; 1 to 7 change the view mode."
+        "<h4>Slices</h4>Left drag sets the cross-hair, wheel turns pages, right drag changes window and level, middle "
+        "drag moves, Ctrl+wheel zooms.<br>Arrows move the cross-hair, Page Up/Down turn pages, Shift+arrows change "
+        "window and level, + and − zoom, Home shows all."
+        "<h4>Transfer function</h4>Drag points; double click adds one; Delete removes it; right click chooses its "
+        "colour.<br>Arrows move the selected point, Page Up/Down select another, Insert adds one, Enter chooses its "
+        "colour."
+        "<h4>Everywhere</h4>Ctrl+1 to Ctrl+0 go to a view or panel, Tab to the next control, M or a double click "
+        "maximises a view, Ctrl+. cancels what is running, Escape dismisses a message."));
+    box.exec();
+}
+
+}  // namespace lacuna::ui

@@ -1,0 +1,404 @@
+#include "ui/main_window.h"
+
+#include <QActionGroup>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QMimeData>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "ui/series_dialog.h"
+
+namespace lacuna::ui {
+
+MainWindow::MainWindow(EngineFactory make_engine, QWidget* parent)
+    : QMainWindow(parent),
+      documents_(new DocumentController(this)),
+      loader_(new LoadController(this)),
+      regions_(new RegionController(this)),
+      scheduler_(new FrameScheduler(this)),
+      stack_(new QStackedWidget(this)),
+      welcome_(new WelcomePage(this)),
+      views_(new FourUp(this)),
+      messages_(new MessageBar(this)),
+      status_(new StatusLine(this)),
+      tabs_(new QTabWidget(this)),
+      render_panel_(new RenderPanel(this)),
+      transfer_panel_(new TransferPanel(this)),
+      ranges_panel_(new RangesPanel(this)),
+      cuts_panel_(new CutsPanel(this)),
+      slices_panel_(new SlicesPanel(this)),
+      regions_panel_(new RegionsPanel(this)),
+      side_(new QWidget(this)),
+      engine_job_(this) {
+    setWindowTitle(tr("Lacuna"));
+    setAcceptDrops(true);
+    resize(1480, 940);
+    setStatusBar(status_);
+    buildCentre();
+    buildDocks();
+    buildMenus();
+    connectLoading();
+    connectViews();
+    connectPanels();
+    connectRegions();
+    connectRendering();
+    startEngine(std::move(make_engine));
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildCentre() {
+    auto* centre = new QWidget(this);
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(messages_);
+    column->addWidget(stack_, 1);
+    stack_->addWidget(welcome_);
+    stack_->addWidget(views_);
+    setCentralWidget(centre);
+}
+
+void MainWindow::buildDocks() {
+    auto* column = new QVBoxLayout(side_);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(render_panel_);
+    column->addWidget(tabs_, 1);
+    tabs_->setDocumentMode(true);
+    tabs_->setAccessibleName(tr("Scene settings"));
+    tabs_->addTab(transfer_panel_, tr("Colours"));
+    tabs_->addTab(ranges_panel_, tr("Ranges"));
+    tabs_->addTab(cuts_panel_, tr("Cuts"));
+    tabs_->addTab(slices_panel_, tr("Grey levels"));
+    auto* scene = new QDockWidget(tr("Scene"), this);
+    scene->setObjectName(QStringLiteral("scene"));
+    scene->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+    scene->setWidget(side_);
+    side_->setMinimumWidth(320);
+    addDockWidget(Qt::RightDockWidgetArea, scene);
+    auto* table = new QDockWidget(tr("Regions"), this);
+    table->setObjectName(QStringLiteral("regions"));
+    table->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+    table->setWidget(regions_panel_);
+    addDockWidget(Qt::BottomDockWidgetArea, table);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    resizeDocks({scene}, {370}, Qt::Horizontal);
+    resizeDocks({table}, {190}, Qt::Vertical);
+    side_->setEnabled(false);
+    regions_panel_->setEnabled(false);
+}
+
+void MainWindow::startEngine(EngineFactory make_engine) {
+    status_->showDevice(tr("Looking for a device…"));
+    engine_job_.start(std::move(make_engine), [this](Outcome<std::shared_ptr<Engine>> outcome) {
+        std::shared_ptr<Engine> engine;
+        if (const Error* error = std::get_if<Error>(&outcome)) {
+            messages_->showError(QString::fromStdString(error->what()));
+            engine = std::make_shared<Engine>(nullptr);
+        } else {
+            engine = std::get<0>(outcome);
+        }
+        status_->showDevice(QString::fromStdString(engine->device_name()));
+        scheduler_->setEngine(std::move(engine));
+    });
+}
+
+void MainWindow::openInput(const QString& input) { loader_->open(input); }
+
+void MainWindow::connectLoading() {
+    connect(welcome_, &WelcomePage::openFolderRequested, this, &MainWindow::openFolder);
+    connect(welcome_, &WelcomePage::openFileRequested, this, &MainWindow::openFile);
+    connect(welcome_, &WelcomePage::sampleRequested, this, &MainWindow::openInput);
+    connect(loader_, &LoadController::started, this, [this] {
+        messages_->hide();
+        load_share_ = 0;
+        updateProgress();
+    });
+    connect(loader_, &LoadController::progressed, this, [this](double share) {
+        load_share_ = share;
+        updateProgress();
+    });
+    connect(loader_, &LoadController::finished, this, [this] {
+        load_share_ = -1;
+        updateProgress();
+    });
+    connect(loader_, &LoadController::failed, messages_, &MessageBar::showError);
+    connect(loader_, &LoadController::cancelled, this, [this] { messages_->showNotice(tr("Opening was cancelled.")); });
+    connect(loader_, &LoadController::loaded, documents_, &DocumentController::open);
+    connect(loader_, &LoadController::choiceNeeded, this,
+            [this](const QString& input, const std::vector<SeriesEntry>& entries) {
+                auto* dialog = new SeriesDialog(entries, this);
+                dialog->setAttribute(Qt::WA_DeleteOnClose);
+                connect(dialog, &SeriesDialog::chosen, loader_,
+                        [this, input](const QString& number) { loader_->open(input, number); });
+                dialog->open();
+            });
+    connect(documents_, &DocumentController::opened, this, &MainWindow::showDocument);
+}
+
+void MainWindow::connectViews() {
+    VolumeView* volume = views_->volumeView();
+    connect(volume, &VolumeView::cameraEdited, documents_, &DocumentController::setCamera);
+    connect(volume, &VolumeView::resized, scheduler_, &FrameScheduler::setSize);
+    connect(documents_, &DocumentController::cameraChanged, this, [this] {
+        views_->volumeView()->setCamera(documents_->document().camera);
+        renderScene();
+    });
+    for (SliceView* slice : views_->slices()) {
+        connect(slice, &SliceView::cursorMoved, documents_, &DocumentController::setCursor);
+        connect(slice, &SliceView::hovered, this, &MainWindow::readOut);
+        connect(slice, &SliceView::left, this, &MainWindow::readOutCursor);
+        connect(slice, &SliceView::windowEdited, this, [this](ValueRange window) {
+            ViewSettings next = documents_->document().settings;
+            next.window = window;
+            documents_->edit(tr("Window and level"), next);
+        });
+    }
+    connect(documents_, &DocumentController::cursorChanged, this, [this] {
+        for (SliceView* slice : views_->slices()) slice->setCursor3d(documents_->document().cursor_mm);
+        readOutCursor();
+    });
+    connect(documents_, &DocumentController::settingsChanged, this, [this] {
+        showSettings();
+        renderScene();
+    });
+}
+
+void MainWindow::connectPanels() {
+    connect(render_panel_, &RenderPanel::edited, documents_, &DocumentController::edit);
+    connect(slices_panel_, &SlicesPanel::edited, documents_, &DocumentController::edit);
+    const auto change = [this](const QString& name, auto&& apply) {
+        ViewSettings next = documents_->document().settings;
+        apply(next);
+        documents_->edit(name, next);
+    };
+    connect(transfer_panel_, &TransferPanel::edited, this,
+            [change](const QString& name, const TransferFunction& function) {
+                change(name, [&](ViewSettings& settings) { settings.tf = function; });
+            });
+    connect(ranges_panel_, &RangesPanel::edited, this,
+            [change](const QString& name, const std::vector<RangeSetting>& ranges) {
+                change(name, [&](ViewSettings& settings) { settings.ranges = ranges; });
+            });
+    connect(cuts_panel_, &CutsPanel::edited, this, [change](const QString& name, const std::vector<CutSetting>& cuts) {
+        change(name, [&](ViewSettings& settings) { settings.cuts = cuts; });
+    });
+    connect(transfer_panel_, &TransferPanel::failed, messages_, &MessageBar::showError);
+    connect(ranges_panel_, &RangesPanel::failed, messages_, &MessageBar::showError);
+}
+
+void MainWindow::connectRegions() {
+    connect(regions_panel_, &RegionsPanel::computeRequested, this, [this](const RegionOptions& options) {
+        if (documents_->hasDocument()) regions_->compute(documents_->document().volume, options);
+    });
+    connect(regions_panel_, &RegionsPanel::exportRequested, this, &MainWindow::exportRegions);
+    connect(regions_panel_, &RegionsPanel::regionChosen, this, &MainWindow::chooseRegion);
+    connect(regions_, &RegionController::started, this, [this] {
+        regions_panel_->setRunning(true);
+        regions_share_ = 0;
+        updateProgress();
+    });
+    connect(regions_, &RegionController::progressed, this, [this](double share) {
+        regions_share_ = share;
+        updateProgress();
+    });
+    connect(regions_, &RegionController::finished, this, [this] {
+        regions_panel_->setRunning(false);
+        regions_share_ = -1;
+        updateProgress();
+    });
+    connect(regions_, &RegionController::failed, messages_, &MessageBar::showError);
+    connect(regions_, &RegionController::computed, documents_, &DocumentController::setRegions);
+    connect(regions_, &RegionController::gathered, documents_, &DocumentController::selectRegion);
+    connect(documents_, &DocumentController::regionsChanged, this,
+            [this] { regions_panel_->setTable(documents_->document().regions); });
+    connect(documents_, &DocumentController::selectionChanged, this, &MainWindow::showSelection);
+}
+
+void MainWindow::connectRendering() {
+    slow_frame_.setSingleShot(true);
+    slow_frame_.setInterval(600);
+    connect(&slow_frame_, &QTimer::timeout, this, [this] {
+        frame_share_ = 0;
+        updateProgress();
+    });
+    connect(scheduler_, &FrameScheduler::busyChanged, this, [this](bool busy) {
+        if (busy) {
+            if (!slow_frame_.isActive() && frame_share_ < 0) slow_frame_.start();
+            return;
+        }
+        slow_frame_.stop();
+        frame_share_ = -1;
+        updateProgress();
+    });
+    connect(scheduler_, &FrameScheduler::progressed, this, [this](double share) {
+        if (frame_share_ < 0) return;
+        frame_share_ = share;
+        updateProgress();
+    });
+    connect(scheduler_, &FrameScheduler::failed, messages_, &MessageBar::showError);
+    connect(scheduler_, &FrameScheduler::frameReady, this, [this](const QImage& image, const FrameFacts& facts) {
+        if (!documents_->hasDocument()) return;
+        views_->volumeView()->setImage(image);
+        status_->showFrame(facts, documents_->document().volume.bytes());
+    });
+}
+
+void MainWindow::showDocument() {
+    const Document& document = documents_->document();
+    const QString name = QString::fromStdString(document.volume.name.empty() ? document.input : document.volume.name);
+    setWindowTitle(tr("%1 — Lacuna").arg(name));
+    regions_->cancel();
+    for (SliceView* slice : views_->slices()) {
+        slice->setVolume(document.volume);
+        slice->setCursor3d(document.cursor_mm);
+    }
+    views_->volumeView()->setGeometry3d(document.volume.geometry());
+    views_->volumeView()->setCamera(document.camera);
+    render_panel_->setVolumeFacts(document.statistics->range, QString::fromStdString(document.volume.unit));
+    transfer_panel_->setVolume(document.volume, document.statistics);
+    ranges_panel_->setVolume(document.volume, document.statistics);
+    cuts_panel_->setGeometry3d(document.volume.geometry());
+    slices_panel_->setVolume(document.volume, document.statistics);
+    regions_panel_->setVolume(document.volume, document.statistics);
+    side_->setEnabled(true);
+    regions_panel_->setEnabled(true);
+    for (QAction* action : needs_document_) action->setEnabled(true);
+    stack_->setCurrentWidget(views_);
+    showSettings();
+    readOutCursor();
+    const auto& warnings = document.volume.warnings;
+    if (!warnings.empty()) {
+        QString words = QString::fromStdString(warnings.front().text);
+        if (warnings.size() > 1) words += tr(" (and %1 more notes)").arg(warnings.size() - 1);
+        messages_->showNotice(words);
+        QStringList all;
+        for (const Warning& warning : warnings) all << QString::fromStdString(warning.text);
+        messages_->setToolTip(all.join(QLatin1Char('\n')));
+    }
+    scheduler_->setSize(views_->volumeView()->pixelSize());
+    renderScene();
+    views_->volumeView()->setFocus();
+}
+
+void MainWindow::showSettings() {
+    const ViewSettings& settings = documents_->document().settings;
+    render_panel_->setSettings(settings);
+    transfer_panel_->setFunction(settings.tf);
+    ranges_panel_->setRanges(settings.ranges);
+    cuts_panel_->setCuts(settings.cuts);
+    slices_panel_->setSettings(settings);
+    regions_panel_->setSettings(settings);
+    std::vector<CuttingPlane> cuts;
+    for (const CutSetting& cut : settings.cuts)
+        if (cut.enabled) cuts.push_back(cut.plane);
+    for (SliceView* slice : views_->slices()) {
+        slice->setWindow(settings.window);
+        slice->setCuts(cuts);
+    }
+    for (std::size_t i = 0; i < mode_names().size(); ++i)
+        if (mode_names()[i].mode == settings.mode) {
+            views_->volumeView()->setCaption(mode_names()[i].name);
+            modes_->actions().at(qsizetype(i))->setChecked(true);
+        }
+    const bool projection = settings.mode == ViewMode::mip || settings.mode == ViewMode::lmip ||
+                            settings.mode == ViewMode::minip || settings.mode == ViewMode::mean;
+    views_->volumeView()->setPlainBackground(projection);
+}
+
+void MainWindow::showSelection() {
+    const Document& document = documents_->document();
+    SliceOverlay overlay;
+    if (document.regions && document.selected_region != 0) {
+        overlay.labels = std::shared_ptr<const LabelVolume>(document.regions, &document.regions->labels);
+        overlay.id = document.selected_region;
+    }
+    for (SliceView* slice : views_->slices()) slice->setOverlay(overlay);
+    renderScene();
+}
+
+void MainWindow::chooseRegion(std::uint32_t id) {
+    if (!documents_->hasDocument()) return;
+    const std::shared_ptr<const RegionTable> table = documents_->document().regions;
+    documents_->selectRegion(id, nullptr);
+    regions_->gather(table, id);
+    if (!table || id == 0) return;
+    for (const RegionCharacteristics& row : table->rows)
+        if (row.id == id) documents_->setCursor(row.centroid_mm);
+}
+
+void MainWindow::renderScene() {
+    if (!documents_->hasDocument()) return;
+    try {
+        const Scene scene = scene_of(documents_->document());
+        scheduler_->setScene(scene, plan_of(documents_->document(), scene));
+    } catch (const Error& error) {
+        messages_->showError(QString::fromStdString(error.what()));
+    }
+}
+
+void MainWindow::readOut(const glm::ivec3& voxel) {
+    if (!documents_->hasDocument()) return;
+    const Volume& volume = documents_->document().volume;
+    const double value = volume.value(voxel.x, voxel.y, voxel.z);
+    const glm::dvec3 mm = volume.geometry().voxel_to_mm(glm::dvec3(voxel));
+    const auto side = [](double at, char positive, char negative) {
+        return QStringLiteral("%1 %2").arg(QLatin1Char(at < 0 ? negative : positive)).arg(std::abs(at), 0, 'f', 2);
+    };
+    status_->showReadout(
+        tr("%1 at %2  %3  %4 mm · voxel %5, %6, %7")
+            .arg(std::isfinite(value)
+                     ? QStringLiteral("%1 %2").arg(value, 0, 'g', 7).arg(QString::fromStdString(volume.unit)).trimmed()
+                     : tr("no value"),
+                 side(mm.x, 'L', 'R'), side(mm.y, 'P', 'A'), side(mm.z, 'H', 'F'))
+            .arg(voxel.x)
+            .arg(voxel.y)
+            .arg(voxel.z));
+}
+
+void MainWindow::readOutCursor() {
+    if (!documents_->hasDocument()) return;
+    const Document& document = documents_->document();
+    readOut(nearest_voxel(document.volume.geometry(), document.cursor_mm));
+}
+
+void MainWindow::updateProgress() {
+    if (load_share_ >= 0)
+        status_->showProgress(tr("Opening"), load_share_);
+    else if (regions_share_ >= 0)
+        status_->showProgress(tr("Finding regions"), regions_share_);
+    else if (frame_share_ >= 0)
+        status_->showProgress(tr("Rendering"), frame_share_);
+    else
+        status_->hideProgress();
+}
+
+void MainWindow::cancelShown() {
+    if (load_share_ >= 0)
+        loader_->cancel();
+    else if (regions_share_ >= 0)
+        regions_->cancel();
+    else
+        scheduler_->cancel();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    event->acceptProposedAction();
+    openInput(event->mimeData()->urls().front().toLocalFile());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    loader_->cancel();
+    regions_->cancel();
+    scheduler_->cancel();
+    event->accept();
+}
+
+}  // namespace lacuna::ui

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <memory>
+
+#include "core/regions/regions.h"
+
+namespace lacuna::ui {
+
+/// The rows of a region table. The sort role gives numbers, so that 10 comes after 9.
+class RegionModel final : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    static constexpr int k_sort_role = Qt::UserRole;
+    static constexpr int k_id_role = Qt::UserRole + 1;
+
+    explicit RegionModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
+    void setTable(std::shared_ptr<const lacuna::RegionTable> table);
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+    /// The row of a region, or -1.
+    int rowOf(std::uint32_t id) const;
+
+private:
+    std::shared_ptr<const RegionTable> table_;
+};
+
+}  // namespace lacuna::ui

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <QCheckBox>
+#include <QListWidget>
+#include <QPushButton>
+#include <QWidget>
+#include <vector>
+
+#include "core/session/document.h"
+#include "ui/widgets/value_slider.h"
+
+namespace lacuna::ui {
+
+/// A cutting plane in terms a person turns: where its normal points, and how far it lies from the volume's centre.
+struct CutPose {
+    double azimuth_deg = 0, elevation_deg = 0;  ///< of the normal, as the camera's: (sin A cos E, -cos A cos E, sin E)
+    double distance_mm = 0;                     ///< from the volume's centre along the normal; what lies beyond is kept
+};
+CutPose pose_of(const CuttingPlane& plane, const GridGeometry& geometry);
+CuttingPlane plane_of(const CutPose& pose, bool cap, const GridGeometry& geometry);
+/// Half the volume's extent along a direction, mm.
+double half_extent_mm(const glm::dvec3& direction, const GridGeometry& geometry);
+
+/// The list of cutting planes and the one being edited.
+class CutsPanel final : public QWidget {
+    Q_OBJECT
+public:
+    static constexpr std::size_t k_max_cuts = 6;
+
+    explicit CutsPanel(QWidget* parent = nullptr);
+    void setGeometry3d(const lacuna::GridGeometry& geometry);
+    void setCuts(const std::vector<lacuna::CutSetting>& cuts);
+    QPushButton* addButton() const { return add_; }
+    QListWidget* list() const { return list_; }
+    ValueSlider* offsetSlider() const { return offset_; }
+
+public Q_SLOTS:
+    void addCut();
+
+Q_SIGNALS:
+    void edited(const QString& name, const std::vector<lacuna::CutSetting>& cuts);
+
+private:
+    void build();
+    void showCut();
+    void editPose(const QString& name, const CutPose& pose);
+    void setAxis(double azimuth_deg, double elevation_deg);
+    int current() const { return list_->currentRow(); }
+    CutPose currentPose() const { return poses_[std::size_t(current())]; }
+
+    GridGeometry geometry_;
+    std::vector<CutSetting> cuts_;
+    std::vector<CutPose> poses_;  ///< kept beside the planes: at the poles the azimuth is not in the normal
+    QListWidget* list_;
+    QPushButton *add_, *remove_, *flip_;
+    QPushButton* axes_[3];
+    ValueSlider *azimuth_, *elevation_, *offset_;
+    QCheckBox* cap_;
+};
+
+}  // namespace lacuna::ui

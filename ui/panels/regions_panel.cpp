@@ -1,0 +1,162 @@
+#include "ui/panels/regions_panel.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/widgets/value_slider.h"
+
+namespace lacuna::ui {
+
+RegionsPanel::RegionsPanel(QWidget* parent)
+    : QWidget(parent),
+      model_(new RegionModel(this)),
+      sorted_(new QSortFilterProxyModel(this)),
+      method_(new QComboBox(this)),
+      connectivity_(new QComboBox(this)),
+      lo_(new QDoubleSpinBox(this)),
+      hi_(new QDoubleSpinBox(this)),
+      width_(new QDoubleSpinBox(this)),
+      min_voxels_(new QSpinBox(this)),
+      take_(new QPushButton(tr("Current range"), this)),
+      compute_(new QPushButton(tr("Compute regions"), this)),
+      clear_(new QPushButton(tr("Deselect"), this)),
+      export_(new QPushButton(tr("Export CSV…"), this)),
+      to_(new QLabel(tr("to"), this)),
+      note_(new QLabel(this)),
+      view_(new QTableView(this)) {
+    build();
+    connect(method_, &QComboBox::currentIndexChanged, this, &RegionsPanel::showMethod);
+    connect(take_, &QPushButton::clicked, this, &RegionsPanel::takeRange);
+    connect(compute_, &QPushButton::clicked, this, [this] { Q_EMIT computeRequested(options()); });
+    connect(export_, &QPushButton::clicked, this, &RegionsPanel::exportRequested);
+    connect(clear_, &QPushButton::clicked, view_, &QTableView::clearSelection);
+    connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        const QModelIndexList rows = view_->selectionModel()->selectedRows();
+        clear_->setEnabled(!rows.isEmpty());
+        Q_EMIT regionChosen(rows.isEmpty() ? 0u : rows.front().data(RegionModel::k_id_role).toUInt());
+    });
+    showMethod();
+}
+
+void RegionsPanel::build() {
+    method_->addItems({tr("Values from"), tr("Homogeneous, width")});
+    method_->setAccessibleName(tr("How regions are found"));
+    method_->setToolTip(
+        tr("Connected voxels of a value range, or regions whose values span at most a share of the "
+           "volume's value range"));
+    connectivity_->addItems({tr("6 neighbours"), tr("18 neighbours"), tr("26 neighbours")});
+    connectivity_->setAccessibleName(tr("Connectivity"));
+    lo_->setAccessibleName(tr("Lowest value of a region"));
+    hi_->setAccessibleName(tr("Highest value of a region"));
+    width_->setAccessibleName(tr("Range width, percent of the volume's value range"));
+    width_->setRange(0.1, 100);
+    width_->setValue(10);
+    width_->setSuffix(tr(" %"));
+    min_voxels_->setRange(1, 100000000);
+    min_voxels_->setValue(8);
+    min_voxels_->setPrefix(tr("at least "));
+    min_voxels_->setSuffix(tr(" voxels"));
+    min_voxels_->setAccessibleName(tr("Smallest region, voxels"));
+    take_->setAccessibleName(tr("Take the current segmentation range"));
+    take_->setToolTip(tr("The first segmentation range in use, or what lies above the isovalue"));
+    compute_->setAccessibleName(tr("Compute the regions"));
+    clear_->setAccessibleName(tr("Select no region"));
+    export_->setAccessibleName(tr("Export the region table"));
+    note_->setEnabled(false);
+    auto* row = new QHBoxLayout;
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{method_, lo_, to_, hi_, take_, width_, connectivity_, min_voxels_, compute_})
+        row->addWidget(widget);
+    row->addWidget(note_, 1);
+    row->addWidget(clear_);
+    row->addWidget(export_);
+    sorted_->setSourceModel(model_);
+    sorted_->setSortRole(RegionModel::k_sort_role);
+    view_->setModel(sorted_);
+    view_->setAccessibleName(tr("Regions"));
+    view_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    view_->setSelectionMode(QAbstractItemView::SingleSelection);
+    view_->setSortingEnabled(true);
+    view_->sortByColumn(0, Qt::AscendingOrder);
+    view_->setAlternatingRowColors(true);
+    view_->setTabKeyNavigation(false);
+    view_->verticalHeader()->hide();
+    view_->verticalHeader()->setDefaultSectionSize(22);
+    view_->horizontalHeader()->setDefaultSectionSize(86);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(6, 6, 6, 6);
+    column->addLayout(row);
+    column->addWidget(view_, 1);
+    export_->setEnabled(false);
+    clear_->setEnabled(false);
+    compute_->setEnabled(false);
+}
+
+void RegionsPanel::showMethod() {
+    const bool threshold = method_->currentIndex() == 0;
+    for (QWidget* widget : std::initializer_list<QWidget*>{lo_, to_, hi_, take_}) widget->setVisible(threshold);
+    width_->setVisible(!threshold);
+}
+
+void RegionsPanel::setVolume(const Volume& volume, std::shared_ptr<const VolumeStatistics> statistics) {
+    statistics_ = std::move(statistics);
+    const ValueSteps steps = ValueSteps::of(statistics_->range);
+    for (QDoubleSpinBox* end : {lo_, hi_}) {
+        end->setDecimals(steps.decimals);
+        end->setSingleStep(steps.step);
+        end->setRange(statistics_->range.lo, statistics_->range.hi);
+        end->setSuffix(volume.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(volume.unit));
+    }
+    const double otsu = otsu_threshold(*statistics_);
+    lo_->setValue(otsu);
+    hi_->setValue(statistics_->range.hi);
+    compute_->setEnabled(true);
+    setTable(nullptr);
+}
+
+void RegionsPanel::setSettings(const ViewSettings& settings) { settings_ = settings; }
+
+void RegionsPanel::takeRange() {
+    if (!statistics_) return;
+    ValueRange taken{settings_.iso, statistics_->range.hi};
+    for (const RangeSetting& range : settings_.ranges)
+        if (range.enabled) {
+            taken = range.range.range;
+            break;
+        }
+    lo_->setValue(taken.lo);
+    hi_->setValue(taken.hi);
+}
+
+RegionOptions RegionsPanel::options() const {
+    RegionOptions options;
+    if (method_->currentIndex() == 0)
+        options.threshold = ValueRange{std::min(lo_->value(), hi_->value()), std::max(lo_->value(), hi_->value())};
+    else
+        options.range_width = width_->value() / 100;
+    static constexpr Connectivity k_choices[] = {Connectivity::c6, Connectivity::c18, Connectivity::c26};
+    options.connectivity = k_choices[connectivity_->currentIndex()];
+    options.min_voxels = min_voxels_->value();
+    return options;
+}
+
+void RegionsPanel::setTable(std::shared_ptr<const RegionTable> table) {
+    const bool some = table && !table->rows.empty();
+    note_->setText(!table                    ? QString()
+                   : table->rows.size() == 1 ? tr("1 region")
+                                             : tr("%1 regions").arg(table->rows.size()));
+    note_->setToolTip(table ? QString::fromStdString(table->surface_method + "; " + table->adjacency) : QString());
+    view_->clearSelection();
+    model_->setTable(std::move(table));
+    export_->setEnabled(some);
+    clear_->setEnabled(false);
+}
+
+void RegionsPanel::setRunning(bool running) {
+    compute_->setEnabled(!running && statistics_ != nullptr);
+    compute_->setText(running ? tr("Computing…") : tr("Compute regions"));
+}
+
+}  // namespace lacuna::ui

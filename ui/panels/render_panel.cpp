@@ -1,0 +1,154 @@
+#include "ui/panels/render_panel.h"
+
+#include <QLabel>
+#include <QSignalBlocker>
+
+namespace lacuna::ui {
+
+namespace {
+
+struct QualityChoice {
+    const char* name;
+    double step;
+    Sampler sampler;
+};
+constexpr QualityChoice k_qualities[] = {{"Draft (step 1, nearest)", 1.0, Sampler::nearest},
+                                         {"Fast (step 1)", 1.0, Sampler::linear},
+                                         {"Normal (step 0.5)", 0.5, Sampler::linear},
+                                         {"High (step 0.25)", 0.25, Sampler::linear},
+                                         {"Finest (step 0.1)", 0.1, Sampler::linear}};
+
+}  // namespace
+
+const std::vector<ModeName>& mode_names() {
+    static const std::vector<ModeName> names = {
+        {ViewMode::iso, RenderPanel::tr("Isosurface"), RenderPanel::tr("The surface of one value, shaded")},
+        {ViewMode::ea, RenderPanel::tr("Volume (emission–absorption)"),
+         RenderPanel::tr("Colours and opacities of the transfer function, front to back")},
+        {ViewMode::mip, RenderPanel::tr("Maximum projection (MIP)"), RenderPanel::tr("The largest value of each ray")},
+        {ViewMode::lmip, RenderPanel::tr("Local maximum (LMIP)"),
+         RenderPanel::tr("The first local maximum above a threshold")},
+        {ViewMode::minip, RenderPanel::tr("Minimum projection (MinIP)"),
+         RenderPanel::tr("The smallest value of each ray")},
+        {ViewMode::mean, RenderPanel::tr("Mean (radiograph)"), RenderPanel::tr("The mean value of each ray")},
+        {ViewMode::shear_warp, RenderPanel::tr("Shear-warp surface"),
+         RenderPanel::tr("The surface's visible voxels by shear and warp")}};
+    return names;
+}
+
+RenderPanel::RenderPanel(QWidget* parent)
+    : QWidget(parent),
+      form_(new QFormLayout(this)),
+      mode_(new QComboBox(this)),
+      iso_(new ValueSlider(tr("Isovalue"), this)),
+      lmip_(new ValueSlider(tr("Local maximum threshold"), this)),
+      by_tf_(new QCheckBox(tr("Colours of the transfer function"), this)),
+      shading_(new QComboBox(this)),
+      quality_(new QComboBox(this)),
+      skip_(new QCheckBox(tr("Skip empty space"), this)) {
+    buildRows();
+    connectRows();
+    showRelevantRows();
+}
+
+void RenderPanel::buildRows() {
+    form_->setContentsMargins(10, 8, 10, 8);
+    form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    for (std::size_t i = 0; i < mode_names().size(); ++i) {
+        mode_->addItem(QStringLiteral("%1  %2").arg(i + 1).arg(mode_names()[i].name));
+        mode_->setItemData(int(i), mode_names()[i].hint, Qt::ToolTipRole);
+    }
+    mode_->setAccessibleName(tr("View mode"));
+    mode_->setToolTip(tr("Keys 1 to 7"));
+    by_tf_->setAccessibleName(tr("Projection in the colours of the transfer function"));
+    shading_->addItems({tr("None"), tr("Lambert"), tr("Phong")});
+    shading_->setAccessibleName(tr("Shading"));
+    for (const QualityChoice& choice : k_qualities) quality_->addItem(tr(choice.name));
+    quality_->setAccessibleName(tr("Quality"));
+    quality_->setToolTip(tr("Distance between samples, in voxels, of the still picture"));
+    skip_->setAccessibleName(tr("Skip empty space"));
+    skip_->setToolTip(tr("Off: every sample is taken; the picture is the same, only slower"));
+    const auto row = [this](const QString& name, QWidget* field) {
+        form_->addRow(name, field);
+        form_->labelForField(field)->setMinimumWidth(62);
+    };
+    row(tr("&Mode"), mode_);
+    row(tr("Iso&value"), iso_);
+    row(tr("Threshold"), lmip_);
+    row(QString(), by_tf_);
+    row(tr("&Shading"), shading_);
+    row(tr("&Quality"), quality_);
+    row(QString(), skip_);
+    static_cast<QLabel*>(form_->labelForField(iso_))->setBuddy(iso_->slider());
+}
+
+template <class Change>
+void RenderPanel::edit(const QString& name, Change&& change) {
+    ViewSettings next = settings_;
+    change(next);
+    Q_EMIT edited(name, next);
+}
+
+void RenderPanel::connectRows() {
+    connect(mode_, &QComboBox::currentIndexChanged, this, [this](int i) {
+        edit(tr("View mode"), [i](ViewSettings& s) { s.mode = mode_names()[std::size_t(i)].mode; });
+    });
+    connect(iso_, &ValueSlider::valueEdited, this,
+            [this](double value) { edit(tr("Isovalue"), [value](ViewSettings& s) { s.iso = value; }); });
+    connect(lmip_, &ValueSlider::valueEdited, this, [this](double value) {
+        edit(tr("Local maximum threshold"), [value](ViewSettings& s) { s.lmip_threshold = value; });
+    });
+    connect(by_tf_, &QCheckBox::toggled, this,
+            [this](bool on) { edit(tr("Projection colours"), [on](ViewSettings& s) { s.color_by_tf = on; }); });
+    connect(shading_, &QComboBox::currentIndexChanged, this,
+            [this](int i) { edit(tr("Shading"), [i](ViewSettings& s) { s.shading = Shading(i); }); });
+    connect(quality_, &QComboBox::activated, this, [this](int i) {
+        edit(tr("Quality"), [i](ViewSettings& s) {
+            s.quality.step = k_qualities[i].step;
+            s.quality.sampler = k_qualities[i].sampler;
+        });
+    });
+    connect(skip_, &QCheckBox::toggled, this, [this](bool on) {
+        edit(tr("Empty-space skipping"), [on](ViewSettings& s) { s.quality.skip_empty = on; });
+    });
+}
+
+void RenderPanel::setVolumeFacts(ValueRange values, const QString& unit) {
+    for (ValueSlider* slider : {iso_, lmip_}) {
+        slider->setLimits(values);
+        slider->setSuffix(unit.isEmpty() ? QString() : QStringLiteral(" ") + unit);
+    }
+}
+
+void RenderPanel::setSettings(const ViewSettings& settings) {
+    settings_ = settings;
+    const QSignalBlocker blockers[] = {QSignalBlocker(mode_), QSignalBlocker(by_tf_), QSignalBlocker(shading_),
+                                       QSignalBlocker(quality_), QSignalBlocker(skip_)};
+    for (std::size_t i = 0; i < mode_names().size(); ++i)
+        if (mode_names()[i].mode == settings.mode) mode_->setCurrentIndex(int(i));
+    iso_->setValue(settings.iso);
+    lmip_->setValue(settings.lmip_threshold);
+    by_tf_->setChecked(settings.color_by_tf);
+    shading_->setCurrentIndex(int(settings.shading));
+    int chosen = -1;
+    for (int i = 0; i < int(std::size(k_qualities)); ++i)
+        if (k_qualities[i].step == settings.quality.step && k_qualities[i].sampler == settings.quality.sampler)
+            chosen = i;
+    quality_->setCurrentIndex(chosen);
+    skip_->setChecked(settings.quality.skip_empty);
+    showRelevantRows();
+}
+
+void RenderPanel::showRelevantRows() {
+    const ViewMode mode = settings_.mode;
+    const bool surface = mode == ViewMode::iso || mode == ViewMode::shear_warp;
+    const bool projection =
+        mode == ViewMode::mip || mode == ViewMode::lmip || mode == ViewMode::minip || mode == ViewMode::mean;
+    form_->setRowVisible(iso_, surface);
+    form_->setRowVisible(lmip_, mode == ViewMode::lmip);
+    form_->setRowVisible(by_tf_, projection);
+    form_->setRowVisible(shading_, !projection);
+    form_->setRowVisible(skip_, mode != ViewMode::shear_warp);
+}
+
+}  // namespace lacuna::ui

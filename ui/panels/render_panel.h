@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QWidget>
+
+#include "core/session/document.h"
+#include "ui/widgets/value_slider.h"
+
+namespace lacuna::ui {
+
+/// View mode, isovalue, shading and quality.
+class RenderPanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit RenderPanel(QWidget* parent = nullptr);
+    void setVolumeFacts(lacuna::ValueRange values, const QString& unit);
+    void setSettings(const lacuna::ViewSettings& settings);
+    QComboBox* modeBox() const { return mode_; }
+    ValueSlider* isoSlider() const { return iso_; }
+
+Q_SIGNALS:
+    void edited(const QString& name, const lacuna::ViewSettings& next);
+
+private:
+    void buildRows();
+    void connectRows();
+    void showRelevantRows();
+    template <class Change>
+    void edit(const QString& name, Change&& change);
+
+    ViewSettings settings_;
+    QFormLayout* form_;
+    QComboBox* mode_;
+    ValueSlider* iso_;
+    ValueSlider* lmip_;
+    QCheckBox* by_tf_;
+    QComboBox* shading_;
+    QComboBox* quality_;
+    QCheckBox* skip_;
+};
+
+/// The view modes in the order of their keys 1 to 7, with a name for people.
+struct ModeName {
+    lacuna::ViewMode mode;
+    QString name, hint;
+};
+const std::vector<ModeName>& mode_names();
+
+}  // namespace lacuna::ui

@@ -1,0 +1,221 @@
+#include "ui/views/volume_view.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/theme.h"
+
+namespace lacuna::ui {
+
+namespace {
+constexpr double k_degrees_per_pixel = 0.4, k_degrees_per_key = 5, k_pixels_per_key = 20;
+}
+
+VolumeView::VolumeView(QWidget* parent) : QWidget(parent) {
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(120, 100);
+    setAccessibleName(tr("3D view"));
+    setAccessibleDescription(
+        tr("Arrow keys turn the volume, Shift and arrow keys move it, plus and minus zoom, Home resets; A, P, L, R, H "
+           "and F look from a side."));
+}
+
+QSize VolumeView::pixelSize() const {
+    const double ratio = devicePixelRatioF();
+    return {std::max(1, int(std::lround(width() * ratio))), std::max(1, int(std::lround(height() * ratio)))};
+}
+
+void VolumeView::setGeometry3d(const GridGeometry& geometry) {
+    geometry_ = geometry;
+    image_ = {};
+    update();
+}
+
+void VolumeView::setCamera(const Camera& camera) {
+    if (camera == camera_) return;
+    camera_ = camera;
+    update();
+}
+
+void VolumeView::setImage(const QImage& image) {
+    image_ = image;
+    update();
+}
+
+void VolumeView::setCaption(const QString& text) {
+    caption_ = text;
+    update();
+}
+
+void VolumeView::setPlainBackground(bool plain) {
+    plain_background_ = plain;
+    update();
+}
+
+void VolumeView::clear() {
+    geometry_.reset();
+    image_ = {};
+    update();
+}
+
+void VolumeView::edit(const Camera& camera) {
+    if (!geometry_ || camera == camera_) return;
+    camera_ = camera;
+    update();
+    Q_EMIT cameraEdited(camera_);
+}
+
+void VolumeView::rotate(double azimuth_deg, double elevation_deg, double roll_deg) {
+    Camera camera = camera_;
+    camera.azimuth_deg = std::remainder(camera.azimuth_deg + azimuth_deg, 360.0);
+    camera.elevation_deg = std::clamp(camera.elevation_deg + elevation_deg, -90.0, 90.0);
+    camera.roll_deg = std::remainder(camera.roll_deg + roll_deg, 360.0);
+    edit(camera);
+}
+
+void VolumeView::pan(double right_px, double down_px) {
+    if (!geometry_) return;
+    const ViewRays rays = resolve(camera_, *geometry_, {std::max(1, width()), std::max(1, height())});
+    Camera camera = camera_;
+    camera.center_mm = rays.target - rays.right * (right_px * rays.pixel_mm) + rays.up * (down_px * rays.pixel_mm);
+    edit(camera);
+}
+
+void VolumeView::zoom(double factor) {
+    Camera camera = camera_;
+    camera.zoom = std::clamp(camera.zoom * factor, 0.1, 100.0);
+    edit(camera);
+}
+
+void VolumeView::resetCamera() {
+    Camera camera;
+    camera.fov_deg = camera_.fov_deg;
+    edit(camera);
+}
+
+void VolumeView::lookFrom(char side) {
+    Camera camera = camera_;
+    camera.roll_deg = 0;
+    camera.elevation_deg = side == 'H' ? 90 : side == 'F' ? -90 : 0;
+    camera.azimuth_deg = side == 'L' ? 90 : side == 'P' ? 180 : side == 'R' ? -90 : 0;
+    edit(camera);
+}
+
+void VolumeView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    if (plain_background_) {
+        painter.fillRect(rect(), Qt::black);
+    } else {
+        QLinearGradient sky(0, 0, 0, height());
+        sky.setColorAt(0, QColor(44, 50, 60));
+        sky.setColorAt(1, QColor(14, 15, 18));
+        painter.fillRect(rect(), sky);
+    }
+    if (!image_.isNull()) {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform, image_.size() != pixelSize());
+        painter.drawImage(QRectF(rect()), image_);
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+    QFont small = font();
+    small.setPointSizeF(font().pointSizeF() * 0.9);
+    painter.setFont(small);
+    painter.setPen(theme::k_volume);
+    painter.drawText(rect().adjusted(6, 4, -6, -4), Qt::AlignLeft | Qt::AlignTop, caption_);
+    if (geometry_) paintAxes(painter);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(QPen(hasFocus() ? theme::k_accent : theme::k_border, 1));
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
+void VolumeView::paintAxes(QPainter& painter) const {
+    // A small cross of patient axes in the corner; those that point away are dimmer.
+    const ViewRays rays = resolve(camera_, *geometry_, {100, 100});
+    const QPointF centre(36, height() - 36.0);
+    struct Arm {
+        glm::dvec3 direction;
+        QChar letter;
+        QColor color;
+    };
+    Arm arms[] = {{{1, 0, 0}, 'L', theme::k_sagittal}, {{-1, 0, 0}, 'R', theme::k_sagittal},
+                  {{0, 1, 0}, 'P', theme::k_coronal},  {{0, -1, 0}, 'A', theme::k_coronal},
+                  {{0, 0, 1}, 'H', theme::k_axial},    {{0, 0, -1}, 'F', theme::k_axial}};
+    std::sort(std::begin(arms), std::end(arms), [&](const Arm& a, const Arm& b) {
+        return glm::dot(a.direction, rays.forward) > glm::dot(b.direction, rays.forward);
+    });
+    for (const Arm& arm : arms) {
+        const QPointF tip =
+            centre + 20 * QPointF(glm::dot(arm.direction, rays.right), -glm::dot(arm.direction, rays.up));
+        QColor ink = arm.color;
+        ink.setAlpha(glm::dot(arm.direction, rays.forward) > 0.01 ? 90 : 255);
+        painter.setPen(QPen(ink, 1.5));
+        painter.drawLine(centre, tip);
+        const QPointF letter = centre + 1.45 * (tip - centre);
+        painter.drawText(QRectF(letter.x() - 8, letter.y() - 8, 16, 16), Qt::AlignCenter, QString(arm.letter));
+    }
+}
+
+void VolumeView::resizeEvent(QResizeEvent*) { Q_EMIT resized(pixelSize()); }
+
+void VolumeView::mousePressEvent(QMouseEvent* event) { drag_from_ = event->position(); }
+
+void VolumeView::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF moved = event->position() - drag_from_;
+    drag_from_ = event->position();
+    const bool shift = event->modifiers() & Qt::ShiftModifier;
+    if ((event->buttons() & Qt::MiddleButton) || ((event->buttons() & Qt::LeftButton) && shift))
+        pan(moved.x(), moved.y());
+    else if (event->buttons() & Qt::LeftButton)
+        rotate(-moved.x() * k_degrees_per_pixel, moved.y() * k_degrees_per_pixel);
+    else if (event->buttons() & Qt::RightButton)
+        zoom(std::exp(-moved.y() / 150));
+}
+
+void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) Q_EMIT maximizeRequested();
+}
+
+void VolumeView::wheelEvent(QWheelEvent* event) {
+    zoom(std::exp(event->angleDelta().y() / 900.0));
+    event->accept();
+}
+
+void VolumeView::keyPressEvent(QKeyEvent* event) {
+    const bool shift = event->modifiers() & Qt::ShiftModifier;
+    const double px = k_pixels_per_key, deg = k_degrees_per_key;
+    switch (event->key()) {
+        case Qt::Key_Left:
+            return shift ? pan(-px, 0) : rotate(deg, 0);
+        case Qt::Key_Right:
+            return shift ? pan(px, 0) : rotate(-deg, 0);
+        case Qt::Key_Up:
+            return shift ? pan(0, -px) : rotate(0, -deg);
+        case Qt::Key_Down:
+            return shift ? pan(0, px) : rotate(0, deg);
+        case Qt::Key_Plus:
+        case Qt::Key_Equal:
+            return zoom(1.15);
+        case Qt::Key_Minus:
+            return zoom(1 / 1.15);
+        case Qt::Key_Comma:
+            return rotate(0, 0, -deg);
+        case Qt::Key_Period:
+            return rotate(0, 0, deg);
+        case Qt::Key_Home:
+            return resetCamera();
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            Q_EMIT maximizeRequested();
+            return;
+        default:
+            QWidget::keyPressEvent(event);
+    }
+}
+
+void VolumeView::focusInEvent(QFocusEvent*) { update(); }
+void VolumeView::focusOutEvent(QFocusEvent*) { update(); }
+
+}  // namespace lacuna::ui

@@ -1,0 +1,72 @@
+#include "ui/widgets/value_slider.h"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna::ui {
+
+ValueSteps ValueSteps::of(ValueRange limits) {
+    ValueSteps steps;
+    const double width = limits.width();
+    if (!(width > 0) || width >= 100) return steps;
+    steps.decimals = std::clamp(int(std::ceil(2 - std::log10(width))), 1, 9);
+    steps.step = std::pow(10.0, -steps.decimals);
+    return steps;
+}
+
+ValueSlider::ValueSlider(const QString& accessible_name, QWidget* parent)
+    : QWidget(parent), slider_(new QSlider(Qt::Horizontal, this)), spin_(new QDoubleSpinBox(this)) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(slider_, 1);
+    row->addWidget(spin_);
+    slider_->setRange(0, k_ticks);
+    slider_->setPageStep(k_ticks / 20);
+    slider_->setSingleStep(k_ticks / 200);
+    slider_->setAccessibleName(accessible_name);
+    spin_->setAccessibleName(tr("%1, number").arg(accessible_name));
+    spin_->setKeyboardTracking(false);
+    spin_->setMinimumWidth(84);
+    connect(slider_, &QSlider::valueChanged, this, [this](int tick) {
+        const double raw = limits_.lo + limits_.width() * tick / k_ticks;
+        const double scale = std::pow(10.0, spin_->decimals());
+        const double value = std::round(raw * scale) / scale;
+        const QSignalBlocker quiet(spin_);
+        spin_->setValue(value);
+        Q_EMIT valueEdited(spin_->value());
+    });
+    connect(spin_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        const QSignalBlocker quiet(slider_);
+        slider_->setValue(tickOf(value));
+        Q_EMIT valueEdited(value);
+    });
+}
+
+void ValueSlider::setLimits(ValueRange limits) {
+    limits_ = limits.width() > 0 ? limits : ValueRange{limits.lo, limits.lo + 1};
+    const QSignalBlocker quiet(spin_);
+    const ValueSteps steps = ValueSteps::of(limits_);
+    setSteps(steps.decimals, steps.step);
+    spin_->setRange(limits_.lo, limits_.hi);
+}
+
+void ValueSlider::setSteps(int decimals, double step) {
+    const QSignalBlocker quiet(spin_);
+    spin_->setDecimals(decimals);
+    spin_->setSingleStep(step);
+}
+
+void ValueSlider::setValue(double value) {
+    if (spin_->value() == value) return;  // do not move a slider in a person's hand
+    const QSignalBlocker quiet_spin(spin_), quiet_slider(slider_);
+    spin_->setValue(value);
+    slider_->setValue(tickOf(value));
+}
+
+int ValueSlider::tickOf(double value) const {
+    return int(std::lround(std::clamp((value - limits_.lo) / limits_.width(), 0.0, 1.0) * k_ticks));
+}
+
+}  // namespace lacuna::ui
