@@ -89,7 +89,7 @@ Scene head(const SampleOptions& options) {
     Layer skull{1250, {bone(), capsule({0, 46, -40}, {0, 56, -150}, 15)}};
     Layer ventricles{10, both_sides([](double s) { return ellipsoid({s * 12, 2, 38}, {6, 30, 9}); })};
     ventricles.parts.push_back(ellipsoid({0, 6, 24}, {3, 12, 9}));
-    Layer orbits{30, both_sides([](double s) { return ellipsoid({s * 31, -72, -4}, {17, 22, 16}); })};
+    Layer orbits{30, both_sides([](double s) { return ellipsoid({s * 31, -59, -4}, {16, 20, 15}); })};
     append(orbits.parts, both_sides([](double s) { return capsule({s * 28, -60, -4}, {s * 12, -26, -4}, 5); }));
     Layer calcifications{550, {ball({24, 26, 18}, 3.2), ball({-20, -14, 40}, 2.4), ball({1, 24, 30}, 2.8)}};
     for (const glm::dvec4& c : {glm::dvec4(24, 26, 18, 3.2), glm::dvec4(-20, -14, 40, 2.4), glm::dvec4(1, 24, 30, 2.8)})
