@@ -32,7 +32,7 @@ struct Shear {
     glm::ivec2 size{0};                    ///< of the intermediate image
     glm::dvec2 at_first{0};                ///< intermediate position of the picture's pixel (0, 0)
     glm::dvec2 per_column{0}, per_row{0};  ///< and its change from pixel to pixel: the warp
-    double depth_first = 0;                ///< depth of voxel (0, 0, 0), mm, and its change along u, v and the axis
+    double depth_first = 0;  ///< depth half a slice before voxel (0, 0, 0), mm, and its change along u, v and the axis
     glm::dvec3 depth_per_voxel{0};
 
     glm::ivec2 offset(int slice) const { return glm::ivec2(glm::floor(shift - double(slice) * slope + 0.5)); }
@@ -64,12 +64,14 @@ Shear factor(const ViewRays& rays, const GridGeometry& geometry) {
     const auto depth_of = [&](glm::dvec3 voxel) {
         return glm::dot(geometry.voxel_to_mm(voxel) - rays.eye, rays.forward);
     };
-    shear.depth_first = depth_of({0, 0, 0});
+    const double at_origin = depth_of({0, 0, 0});
     for (const int a : {u, v, axis}) {
         glm::dvec3 one(0);
         one[a] = 1;
-        shear.depth_per_voxel[a == u ? 0 : a == v ? 1 : 2] = depth_of(one) - shear.depth_first;
+        shear.depth_per_voxel[a == u ? 0 : a == v ? 1 : 2] = depth_of(one) - at_origin;
     }
+    // The surface lies 0 to 1 slices before the centre of the first voxel inside: half a slice is the best guess.
+    shear.depth_first = at_origin - 0.5 / std::fabs(along[axis]);
     return shear;
 }
 

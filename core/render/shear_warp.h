@@ -13,8 +13,9 @@ namespace lacuna {
 /// along the principal viewing axis, each moved by whole voxels, are painted back to front into an intermediate image,
 /// one voxel one pixel, no z-buffer; only what stays visible is shaded; the image is then warped to the picture with
 /// bilinear sampling. Spacing and an oblique grid enter through the shear and the warp. A voxel lies at most half a
-/// voxel beside its place in u and v (the rounding of the shear), and the surface up to half a voxel before its
-/// centre. Holds the lists of the last solid. One caller at a time.
+/// voxel beside its place in u and v (the rounding of the shear) and is drawn half a slice before its centre. So the
+/// depth is within 1.5 voxel diagonals where the surface is not steeper than 45 degrees; behind an open cut the shell
+/// of surface voxels, up to two thick, is seen from within. Holds the lists of the last solid. One caller at a time.
 class ShearWarpRenderer {
 public:
     /// The picture over nothing: alpha 1 on the surface, less on its outline. Counters: rays that meet the sheared
