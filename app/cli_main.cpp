@@ -55,7 +55,10 @@ std::string line_of(const CLI::ParseError& error, const CLI::App& app) {
         std::vector<std::string> unknown = app.remaining(true);
         what = extras->what();
         if (!unknown.empty())
-            what = (unknown.front().starts_with("-") ? "unknown flag " : "unexpected word ") + unknown.front();
+            what = (unknown.front().starts_with("-") ? "unknown flag "
+                    : app.get_subcommands().empty()  ? "unknown command "
+                                                     : "unexpected word ") +
+                   unknown.front();
     }
     for (char& c : what)
         if (c == '\n') c = ' ';
@@ -79,6 +82,7 @@ int run(int argc, char** argv) {
     app.require_subcommand(0, 1);
     app.fallthrough(false);
     app.get_formatter()->column_width(34);
+    app.get_formatter()->label("TEXT", "VALUE");
 
     Action chosen;
     add_info_command(app, chosen);
