@@ -1,6 +1,7 @@
 #include "core/accel/macrocells.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/base/parallel.h"
@@ -34,10 +35,17 @@ struct RowRange {
         const std::size_t width = least.size();
         T* lo = least.data();
         T* hi = most.data();
-        for (std::size_t x = 0; x < width; ++x) lo[x] = row[x] < lo[x] ? row[x] : lo[x];
-        for (std::size_t x = 0; x < width; ++x) hi[x] = row[x] > hi[x] ? row[x] : hi[x];
-        if constexpr (std::is_floating_point_v<T>)
-            for (std::size_t x = 0; x < width; ++x) nan[x] = std::uint8_t(nan[x] | (row[x] != row[x]));
+        if constexpr (std::is_floating_point_v<T>) {
+            for (std::size_t x = 0; x < width; ++x) {
+                const bool finite = std::abs(row[x]) < k_infinity;
+                nan[x] = std::uint8_t(nan[x] | !finite);
+                lo[x] = finite && row[x] < lo[x] ? row[x] : lo[x];
+                hi[x] = finite && row[x] > hi[x] ? row[x] : hi[x];
+            }
+        } else {
+            for (std::size_t x = 0; x < width; ++x) lo[x] = row[x] < lo[x] ? row[x] : lo[x];
+            for (std::size_t x = 0; x < width; ++x) hi[x] = row[x] > hi[x] ? row[x] : hi[x];
+        }
     }
 };
 

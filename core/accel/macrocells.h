@@ -16,8 +16,8 @@ namespace lacuna {
 struct MacrocellGrid {
     int shift = 3;                      ///< log2 B
     glm::ivec3 cells{0};                ///< cells an axis; enough for positions 0 .. n-1
-    std::vector<glm::vec2> ranges;      ///< smallest and largest value a cell, NaN ignored; (inf, -inf): only NaN
-    std::vector<std::uint8_t> has_nan;  ///< f32 volumes only, else empty: 1 where a NaN voxel lies in the cell
+    std::vector<glm::vec2> ranges;      ///< smallest and largest finite value a cell; (inf, -inf) where there is none
+    std::vector<std::uint8_t> has_nan;  ///< f32 volumes only, else empty: 1 where a NaN or infinite voxel lies in the cell
 
     std::size_t bytes() const { return ranges.size() * sizeof(glm::vec2) + has_nan.size(); }
 };

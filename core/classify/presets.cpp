@@ -88,7 +88,7 @@ std::array<double, 5> data_levels(const VolumeStatistics& s) {
     const double threshold = otsu_threshold(s);
     const ClassLevels background = levels_of(s, -INFINITY, threshold, s.range.lo);
     const ClassLevels material = levels_of(s, threshold, INFINITY, s.range.hi);
-    const double scale = std::max({s.range.width(), 1e-6 * std::abs(s.range.lo), 1e-6 * std::abs(s.range.hi), 1e-6});
+    const double scale = std::max({s.range.width(), 1e-2 * std::abs(s.range.lo), 1e-2 * std::abs(s.range.hi), 1e-6});
     const double least = 1e-3 * scale;
     std::array<double, 5> levels{};
     levels[1] = threshold;

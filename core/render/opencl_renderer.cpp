@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
 
 #include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
+#include "core/compute/bands.h"
 #include "core/compute/buffers.h"
 #include "core/compute/device_error.h"
 #include "core/render/device_volume.h"
@@ -15,7 +15,7 @@ namespace lacuna {
 namespace {
 
 constexpr int k_tile = 16;              // pixels: a work-group covers 16x16
-constexpr double k_band_ms = 8;         // a launch should take no longer, so that a stop is seen in time
+constexpr cl_uint k_first_row_arg = 2;  // of every ray-casting kernel
 constexpr double k_float_slack = 1e-6;  // relative: interpolation may round beyond a cell's range
 
 enum class ClassKind { opacity, iso, ranges };
@@ -172,31 +172,15 @@ cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, bool co
 
 void OpenClRenderer::run_bands(cl::Kernel& kernel, glm::ivec2 padded, const JobContext& job) {
     const int packet = lanes_ == 16 ? 4 : 1, group = lanes_ == 16 ? 4 : 8;
-    const int tile_rows = padded.y / k_tile;
-    const double tile_ms = ms_per_row_ * k_tile;
-    const int band = tile_ms > 0 ? std::clamp(int(k_band_ms / tile_ms), 1, tile_rows) : 1;
-    const Stopwatch watch;
-    std::deque<cl::Event> running;
-    for (int first = 0; first < tile_rows; first += band) {
-        const int rows = std::min(band, tile_rows - first) * k_tile;
-        cl::Event done;
-        device_->queue().enqueueNDRangeKernel(kernel, cl::NDRange(0, std::size_t(first * k_tile / packet)),
-                                              cl::NDRange(std::size_t(padded.x / packet), std::size_t(rows / packet)),
-                                              cl::NDRange(std::size_t(group), std::size_t(group)), nullptr, &done);
-        device_->queue().flush();
-        running.push_back(done);
-        if (running.size() > 1) {  // one band runs while the next is queued: the device never idles
-            running.front().wait();
-            running.pop_front();
-        }
-        if (job.stopped()) {
-            device_->queue().finish();
-            job.check();
-        }
-        if (job.progress) job.progress(double(first) / tile_rows);
-    }
-    device_->queue().finish();
-    ms_per_row_ = watch.ms() / padded.y;
+    run_in_bands(
+        *device_, padded.y, k_tile,
+        [&](int first, int count, cl::Event& done) {
+            kernel.setArg(k_first_row_arg, cl_int(first));
+            device_->queue().enqueueNDRangeKernel(
+                kernel, cl::NullRange, cl::NDRange(std::size_t(padded.x / packet), std::size_t(count / packet)),
+                cl::NDRange(std::size_t(group), std::size_t(group)), nullptr, &done);
+        },
+        job);
 }
 
 void OpenClRenderer::read_frame(const Scene& scene, Frame& frame) {
@@ -247,6 +231,7 @@ RenderResult OpenClRenderer::render(const Scene& scene, const Plan& plan, const 
         cl_uint arg = 0;
         cast.setArg(arg++, volume_->voxels());
         cast.setArg(arg++, constants);
+        cast.setArg(arg++, cl_int(0));
         if (scene.mode == ViewMode::ea) cast.setArg(arg++, tables_->opacity);
         if (tables) cast.setArg(arg++, tables_->color);
         cast.setArg(arg++, output_->color);
@@ -258,6 +243,8 @@ RenderResult OpenClRenderer::render(const Scene& scene, const Plan& plan, const 
         }
         if (count) cast.setArg(arg++, output_->counters);
 
+        if (count)  // packets beyond the picture write none
+            device_->queue().enqueueFillBuffer(output_->counters, cl_uint(0), 0, items * sizeof(cl_uint4));
         run_bands(cast, padded, job);
         read_frame(scene, result.frame);
         result.frame.ms = watch.ms();

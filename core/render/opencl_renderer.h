@@ -59,7 +59,6 @@ private:
     struct Tables;
     std::unique_ptr<Tables> tables_;
     std::unique_ptr<Output> output_;
-    double ms_per_row_ = 0;  ///< of the last frame: how many rows a launch may take
 };
 
 }  // namespace lacuna

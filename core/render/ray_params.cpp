@@ -51,7 +51,7 @@ void put_tables(RayParams& p, const TransferTables& tables) {
     p.lut_size = tables.entries;
     for (std::size_t r = 0; r < tables.rows(); ++r) {
         p.lut_scale[r] = tables.scale[r];
-        p.lut_bias[r] = tables.bias[r];
+        p.lut_lo[r] = tables.lo[r];
         p.exponent[r] = tables.exponent[r];
         if (tables.uses_gradient) p.grad_scale[r] = tables.gradient_scale[r];
     }

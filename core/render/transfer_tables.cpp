@@ -19,7 +19,7 @@ void add_row(TransferTables& tables, const TransferFunction& tf, double step_mm)
     const double width = hi > lo ? hi - lo : 1.0;
     const double per_entry = width / (tables.entries - 1);
     tables.scale.push_back(float(1 / per_entry));
-    tables.bias.push_back(float(-lo / per_entry));
+    tables.lo.push_back(float(lo));
     tables.slack = std::max(tables.slack, per_entry);
     for (int i = 0; i < tables.entries; ++i) {
         const ColorOpacity at = tf.at(lo + i * per_entry);

@@ -10,12 +10,12 @@ namespace lacuna {
 
 /// Transfer functions as the kernels read them: rows of `entries` values; row 0 is the classification's own function,
 /// row 1+i that of its range i (the same function where the range has none of its own). A value's entry is
-/// round(value*scale + bias), clamped: tables cover the points of their function, beyond which it is constant.
+/// round((value - lo)*scale), clamped: tables cover the points of their function, beyond which it is constant.
 struct TransferTables {
     int entries = 0;
     std::vector<float> opacity;          ///< of one step, opacity-corrected; with gradient opacity per unit distance
     std::vector<std::uint32_t> color;    ///< red 11 bits (lowest), green 11, blue 10
-    std::vector<float> scale, bias;      ///< a row
+    std::vector<float> scale, lo;      ///< a row
     bool uses_gradient = false;          ///< any row has a gradient-opacity curve
     std::vector<float> gradient_factor;  ///< 1024 a row; entry = round(magnitude * gradient_scale)
     std::vector<float> gradient_scale, exponent;  ///< a row; exponent = step over unit distance

@@ -35,11 +35,11 @@ inline VF faded(constant RayParams* p, global const float* factors, VF opacity, 
 #define GRADIENT_ARGS
 #endif
 
-kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams* p,
+kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                        global const float* restrict lut_opacity, global const uint* restrict lut_color,
                        global float4* restrict out_color, global float* restrict out_depth
                        GRADIENT_ARGS STRUCTURE_ARGS COUNTER_ARGS) {
-    const int x0 = (int)get_global_id(0) * PACKET_W, y0 = (int)get_global_id(1) * PACKET_H;
+    const int x0 = (int)get_global_id(0) * PACKET_W, y0 = first_row + (int)get_global_id(1) * PACKET_H;
     if (x0 >= p->out_stride || y0 >= p->height) return;
     Rays r = make_rays(p, x0, y0);
     const VF zero = (VF)(0.0f), one = (VF)(1.0f), floor_t = (VF)(p->min_transmittance);
@@ -65,7 +65,7 @@ kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams
         VI live = MASK(r.end > (VI)(k)) & MASK(clear >= floor_t) & MASK(clear > zero);
         if (!any_lane(live)) break;
         const Skip skip = next_sample(p, &r, STRUCTURE, &idle, k, end, live);
-        COUNT(reads += skip.reads; skipped += sum_lanes(counted(live) * (min_of_int((VI)(skip.next), r.end) - min_of_int((VI)(skip.next), max_of_int(r.first, (VI)(k)))));)
+        COUNT(reads += skip.reads; skipped += jumped(&r, live, k, skip.next);)
         k = skip.next;
         for (; k < skip.until; ++k) {
             VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & MASK(clear >= floor_t) & MASK(clear > zero);
@@ -99,5 +99,5 @@ kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams
         }
     }
     store_packet(p, out_color, out_depth, x0, y0, c, one - clear, depth + p->depth_bias_mm);
-    STORE_COUNTERS(sum_lanes(counted(r.hits_box)), samples, skipped, reads);
+    STORE_COUNTERS(p, x0, y0, sum_lanes(counted(r.hits_box)), samples, skipped, reads);
 }

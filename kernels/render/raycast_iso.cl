@@ -52,10 +52,10 @@ inline VF refine_hit(global const voxel_t* volume, constant RayParams* p, const 
     return estimate;
 }
 
-kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParams* p,
+kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                         global float4* restrict out_color, global float* restrict out_depth
                         STRUCTURE_ARGS COUNTER_ARGS) {
-    const int x0 = (int)get_global_id(0) * PACKET_W, y0 = (int)get_global_id(1) * PACKET_H;
+    const int x0 = (int)get_global_id(0) * PACKET_W, y0 = first_row + (int)get_global_id(1) * PACKET_H;
     if (x0 >= p->out_stride || y0 >= p->height) return;
     Rays r = make_rays(p, x0, y0);
     const VF zero = (VF)(0.0f);
@@ -76,7 +76,7 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
         VI live = MASK(r.end > (VI)(k)) & ~done;
         if (!any_lane(live)) break;
         const Skip skip = next_sample(p, &r, STRUCTURE, &state, k, end, live);
-        COUNT(reads += skip.reads; skipped += sum_lanes(counted(live) * (min_of_int((VI)(skip.next), r.end) - min_of_int((VI)(skip.next), max_of_int(r.first, (VI)(k)))));)
+        COUNT(reads += skip.reads; skipped += jumped(&r, live, k, skip.next);)
         k = skip.next;
         for (; k < skip.until; ++k) {
             VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & ~done;
@@ -119,5 +119,5 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
     }
     VF depth = any_hit ? fma(at, (VF)(p->step_mm), r.t0_mm) + p->depth_bias_mm : (VF)(INFINITY);
     store_packet(p, out_color, out_depth, x0, y0, c, any_hit ? (VF)(1.0f) : zero, depth);
-    STORE_COUNTERS(sum_lanes(counted(r.hits_box)), samples, skipped, reads);
+    STORE_COUNTERS(p, x0, y0, sum_lanes(counted(r.hits_box)), samples, skipped, reads);
 }

@@ -30,21 +30,15 @@ inline VI lmip_cannot_win(const Idle* state, VF largest) {
 #else
 #define CANNOT_WIN(state, s, cell) MASK(gather_float((global const float*)(s).cell_range, (cell) * 2 + 1) <= (state)->best)
 #endif
-#if LACUNA_PROJECTION == LMIP
-// The sample behind a maximum ends it, even one that the ranges hide: only rays not yet rising may skip hidden cells.
-#define IS_IDLE(state, cell_class, structure, cell) \
-    ((MASK(cell_class == (VI)(CELL_NONE)) & ~(state)->rising) | CANNOT_WIN(state, structure, cell))
-#else
 #define IS_IDLE(state, cell_class, structure, cell) \
     (MASK(cell_class == (VI)(CELL_NONE)) | CANNOT_WIN(state, structure, cell))
-#endif
 #include "include/skip.clh"
 
-kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParams* p,
+kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                         global const uint* restrict lut_color,
                         global float4* restrict out_color, global float* restrict out_depth
                         STRUCTURE_ARGS COUNTER_ARGS) {
-    const int x0 = (int)get_global_id(0) * PACKET_W, y0 = (int)get_global_id(1) * PACKET_H;
+    const int x0 = (int)get_global_id(0) * PACKET_W, y0 = first_row + (int)get_global_id(1) * PACKET_H;
     if (x0 >= p->out_stride || y0 >= p->height) return;
     Rays r = make_rays(p, x0, y0);
     const VF zero = (VF)(0.0f);
@@ -60,7 +54,7 @@ kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParam
         VI live = MASK(r.end > (VI)(k)) & ~done;
         if (!any_lane(live)) break;
         const Skip skip = next_sample(p, &r, STRUCTURE, &state, k, end, live);
-        COUNT(reads += skip.reads; skipped += sum_lanes(counted(live) * (min_of_int((VI)(skip.next), r.end) - min_of_int((VI)(skip.next), max_of_int(r.first, (VI)(k)))));)
+        COUNT(reads += skip.reads; skipped += jumped(&r, live, k, skip.next);)
         k = skip.next;
         for (; k < skip.until; ++k) {
             VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & ~done;
@@ -76,7 +70,7 @@ kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParam
             found |= counts;
 #else
 #if LACUNA_PROJECTION == LMIP
-            VI passed = here & state.rising & ~(counts & MASK(value >= state.best));
+            VI passed = counts & state.rising & MASK(value < state.best);
             done |= passed;
             counts &= ~passed;
             state.rising |= counts & MASK(value >= state.threshold);
@@ -107,5 +101,5 @@ kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParam
     VF depth = fma(TO_FLOAT(best_at), (VF)(p->step_mm), r.t0_mm) + p->depth_bias_mm;
     depth = (found & (VI)(LACUNA_PROJECTION == MEAN ? 0 : -1)) ? depth : (VF)(INFINITY);
     store_packet(p, out_color, out_depth, x0, y0, c, found ? (VF)(1.0f) : zero, depth);
-    STORE_COUNTERS(sum_lanes(counted(r.hits_box)), samples, skipped, reads);
+    STORE_COUNTERS(p, x0, y0, sum_lanes(counted(r.hits_box)), samples, skipped, reads);
 }

@@ -31,7 +31,7 @@ typedef struct {
     s_int range_count;
     s_float range[LACUNA_MAX_CUTS][2];   // closed value ranges that are visible; none: all values
     s_int lut_size;                      // entries a transfer-function row
-    s_float lut_scale[LACUNA_MAX_ROWS], lut_bias[LACUNA_MAX_ROWS];   // entry = value*scale + bias, clamped
+    s_float lut_scale[LACUNA_MAX_ROWS], lut_lo[LACUNA_MAX_ROWS];   // entry = (value - lo)*scale, clamped
     s_float grad_scale[LACUNA_MAX_ROWS]; // gradient-opacity entry = magnitude*scale, clamped
     s_float exponent[LACUNA_MAX_ROWS];   // step over unit distance: opacity correction when it cannot be tabulated
 
