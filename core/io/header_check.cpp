@@ -128,7 +128,7 @@ fs::path meta_image_data_file(const fs::path& file) {
     return file.parent_path() / named;
 }
 
-void check_meta_image(const fs::path& file) {
+HeaderFacts check_meta_image(const fs::path& file) {
     const MetaHeader header = meta_header(file);
     const Fields& f = header.fields;
     for (const char* key : {"ElementSpacing", "ElementSize"}) check_spacing(file, key, field(f, key));
@@ -144,14 +144,17 @@ void check_meta_image(const fs::path& file) {
     const fs::path data = meta_image_data_file(file);
     const bool compressed = says_true(field(f, "CompressedData"));
     const bool local = data.empty() && lower_case(named) == "local";
-    if (data.empty() && !local) return;  // a list or a pattern: the library reports what is missing
+    if (data.empty() && !local) return {};  // a list or a pattern: the library reports what is missing
     std::uint64_t have = local ? fs::file_size(file) - header.end : size_or_refuse(file, data, named);
     const std::int64_t skip = number_in<std::int64_t>(field(f, "HeaderSize")).value_or(0);
-    if (skip < 0) return;  // -1: the voxels are the file's last bytes
+    if (skip < 0) return {};  // -1: the voxels are the file's last bytes
     if (std::uint64_t(skip) > have)
         refuse(file, "its HeaderSize " + std::to_string(skip) + " is longer than the data file");
     if (field(f, "BinaryData").empty() || says_true(field(f, "BinaryData")))
         check_length(file, have - std::uint64_t(skip), need, compressed);
+    HeaderFacts facts;
+    if (compressed) facts.compressed = {local ? file : data, (local ? header.end : 0) + std::uint64_t(skip), need};
+    return facts;
 }
 
 namespace {
@@ -198,7 +201,7 @@ std::uint64_t nrrd_type_bytes(const fs::path& file, const std::string& type) {
 
 }  // namespace
 
-void check_nrrd(const fs::path& file) {
+HeaderFacts check_nrrd(const fs::path& file) {
     const NrrdHeader header = nrrd_header(file);
     const Fields& f = header.fields;
     check_spacing(file, "spacings", field(f, "spacings"));
@@ -210,7 +213,7 @@ void check_nrrd(const fs::path& file) {
     std::string named = field(f, "data file");
     if (named.empty()) named = field(f, "datafile");
     const bool detached = f.contains("data file") || f.contains("datafile");
-    if (detached && (named.starts_with("LIST") || named.find('%') != std::string::npos)) return;
+    if (detached && (named.starts_with("LIST") || named.find('%') != std::string::npos)) return {};
     const std::uint64_t have =
         detached ? size_or_refuse(file, file.parent_path() / named, named) : fs::file_size(file) - header.end;
     const std::string encoding = lower_case(field(f, "encoding"));
@@ -219,9 +222,15 @@ void check_nrrd(const fs::path& file) {
         return number_in<std::int64_t>(text).value_or(0);
     };
     const std::int64_t skip = skips("byte skip", "byteskip");
-    if (skips("line skip", "lineskip") != 0 || skip < 0) return;
+    if (skips("line skip", "lineskip") != 0 || skip < 0) return {};
     if (encoding == "raw") check_length(file, have - std::min(have, std::uint64_t(skip)), need, false);
-    if (encoding == "gzip" || encoding == "gz") check_length(file, have, need, true);
+    HeaderFacts facts;
+    if (encoding == "gzip" || encoding == "gz") {
+        check_length(file, have, need, true);
+        facts.compressed = {detached ? file.parent_path() / named : file, detached ? 0 : header.end,
+                            need + std::uint64_t(skip)};
+    }
+    return facts;
 }
 
 namespace {
@@ -255,7 +264,7 @@ nifti_1_header nifti_header(const fs::path& file) {
 
 }  // namespace
 
-NiftiFacts check_nifti(const fs::path& file) {
+HeaderFacts check_nifti(const fs::path& file) {
     const nifti_1_header h = nifti_header(file);
     std::uint64_t need = std::uint64_t(std::max<int>(h.bitpix, 8)) / 8;
     for (int a = 1; a <= h.dim[0]; ++a) {
@@ -267,19 +276,23 @@ NiftiFacts check_nifti(const fs::path& file) {
             refuse(file, "its spacing pixdim[" + std::to_string(a) + "] is " + std::to_string(h.pixdim[a]) +
                              ", but spacings must be positive numbers of mm");
     }
+    HeaderFacts facts;
     std::error_code ec;
     const std::uint64_t have = fs::file_size(file, ec);
     if (std::memcmp(h.magic, "n+1", 4) == 0) {
         const bool compressed = lower_case(file.extension().string()) == ".gz";
         const auto offset = std::uint64_t(std::max(352.0f, std::isfinite(h.vox_offset) ? h.vox_offset : 0.0f));
-        if (compressed)
+        if (compressed) {
             check_length(file, have, need, true);
-        else if (have < need + offset)  // readers agree to ignore bytes behind the voxels
+            facts.compressed = {file, 0, need + offset, true};
+        } else if (have < need + offset) {  // readers agree to ignore bytes behind the voxels
             check_length(file, have, need + offset, false);
+        }
     }
     const short t = h.datatype;
-    return {t == DT_UINT8 || t == DT_INT16 || t == DT_INT32 || t == DT_INT8 || t == DT_UINT16 || t == DT_UINT32 ||
-            t == DT_INT64 || t == DT_UINT64};
+    facts.stored_as_integer = t == DT_UINT8 || t == DT_INT16 || t == DT_INT32 || t == DT_INT8 || t == DT_UINT16 ||
+                              t == DT_UINT32 || t == DT_INT64 || t == DT_UINT64;
+    return facts;
 }
 
 }  // namespace lacuna

@@ -2,6 +2,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+
+#include "core/io/compressed_check.h"
 
 namespace lacuna {
 
@@ -10,14 +13,15 @@ namespace lacuna {
 
 /// The data file an .mhd names, or an empty path if the data are inside, in a list or in a pattern of files.
 std::filesystem::path meta_image_data_file(const std::filesystem::path& header);
-void check_meta_image(const std::filesystem::path& header);
 
-void check_nrrd(const std::filesystem::path& header);
-
-/// What ITK does not tell about a NIfTI file.
-struct NiftiFacts {
-    bool stored_as_integer = false;
+/// What a header says that ITK does not tell.
+struct HeaderFacts {
+    bool stored_as_integer = false;            ///< NIfTI: the voxels in the file, before any scaling
+    std::optional<CompressedData> compressed;  ///< where the packed voxels lie, if they are packed
 };
-NiftiFacts check_nifti(const std::filesystem::path& file);
+
+HeaderFacts check_meta_image(const std::filesystem::path& header);
+HeaderFacts check_nrrd(const std::filesystem::path& header);
+HeaderFacts check_nifti(const std::filesystem::path& file);
 
 }  // namespace lacuna

@@ -4,6 +4,7 @@
 #include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
 
+#include <future>
 #include <memory>
 #include <new>
 
@@ -63,6 +64,7 @@ struct OpenedImage {
     itk::ImageIOBase::Pointer io;
     GridGeometry geometry;
     bool integers_rescaled = false;
+    std::optional<CompressedData> compressed;
 };
 
 GridGeometry geometry_of(const fs::path& file, const itk::ImageIOBase& io) {
@@ -88,10 +90,11 @@ GridGeometry geometry_of(const fs::path& file, const itk::ImageIOBase& io) {
 
 OpenedImage open_image(const fs::path& file, ItkFormat format) {
     OpenedImage image;
-    NiftiFacts nifti;
-    if (format == ItkFormat::meta_image) check_meta_image(file);
-    if (format == ItkFormat::nrrd) check_nrrd(file);
-    if (format == ItkFormat::nifti) nifti = check_nifti(file);
+    HeaderFacts facts;
+    if (format == ItkFormat::meta_image) facts = check_meta_image(file);
+    if (format == ItkFormat::nrrd) facts = check_nrrd(file);
+    if (format == ItkFormat::nifti) facts = check_nifti(file);
+    image.compressed = facts.compressed;
     image.io = make_io(format);
     guarded(file, [&] {
         image.io->SetFileName(file.string());
@@ -104,7 +107,7 @@ OpenedImage open_image(const fs::path& file, ItkFormat format) {
     image.geometry = geometry_of(file, *image.io);
     using Component = itk::IOComponentEnum;
     const auto type = image.io->GetComponentType();
-    image.integers_rescaled = nifti.stored_as_integer && (type == Component::FLOAT || type == Component::DOUBLE);
+    image.integers_rescaled = facts.stored_as_integer && (type == Component::FLOAT || type == Component::DOUBLE);
     return image;
 }
 
@@ -181,7 +184,11 @@ Volume read_itk_volume(const fs::path& file, ItkFormat format, const JobContext&
     for (unsigned a = 0; a < image.io->GetNumberOfDimensions(); ++a) region.SetSize(a, image.io->GetDimensions(a));
     image.io->SetIORegion(region);
     job.checkpoint(0, 1);
+    std::future<void> sound;  // checked beside the reading, on a core that would idle
+    if (image.compressed)
+        sound = std::async(std::launch::async, [&] { check_compressed(file, *image.compressed, {job.stop, nullptr}); });
     ConvertedVoxels read = read_voxels(file, image, job.part(0.5, 1.0));
+    if (sound.valid()) sound.get();
     job.checkpoint(1, 1);
     if (!read.warning.empty()) warnings.push_back({read.warning, 0});
     Volume volume(image.geometry, read.type, std::move(read.voxels));

@@ -16,14 +16,14 @@
 namespace lacuna::test {
 
 /// A fresh folder that is removed with its content.
-class TemporaryFolder {
+class ScratchFolder {
 public:
-    TemporaryFolder() {
+    ScratchFolder() {
         std::string name = (std::filesystem::temp_directory_path() / "lacuna-io-XXXXXX").string();
         if (!::mkdtemp(name.data())) throw std::runtime_error("cannot make a temporary folder");
         path_ = name;
     }
-    ~TemporaryFolder() {
+    ~ScratchFolder() {
         std::error_code ec;
         std::filesystem::remove_all(path_, ec);
     }
