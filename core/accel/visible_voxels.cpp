@@ -186,16 +186,24 @@ std::array<std::int16_t, 3> packed(const glm::dvec3& normal) {
             std::int16_t(std::lround(32767 * normal.z))};
 }
 
+/// Sobel's gradient over 3x3x3 voxels (clamped at the border), as a unit vector; 0 where it is zero or unknown. A voxel
+/// behind a sharp edge may see nothing of it along its own three lines; its neighbours do.
 template <class T>
 glm::dvec3 normal_at(const VolumeView<T>& view, const glm::dvec3& spacing, const glm::ivec3& p) {
-    glm::dvec3 gradient;
-    for (int axis = 0; axis < 3; ++axis) {
-        glm::ivec3 before = p, after = p;
-        before[axis] = std::max(p[axis] - 1, 0);
-        after[axis] = std::min(p[axis] + 1, view.size[axis] - 1);
-        gradient[axis] =
-            (double(view(after.x, after.y, after.z)) - double(view(before.x, before.y, before.z))) / spacing[axis];
+    constexpr int smooth[3] = {1, 2, 1};
+    glm::dvec3 gradient(0);
+    for (int dz = -1; dz <= 1; ++dz) {
+        const int z = std::clamp(p.z + dz, 0, view.size.z - 1);
+        for (int dy = -1; dy <= 1; ++dy) {
+            const T* row = view.row(std::clamp(p.y + dy, 0, view.size.y - 1), z);
+            for (int dx = -1; dx <= 1; ++dx) {
+                const double value = double(row[std::clamp(p.x + dx, 0, view.size.x - 1)]);
+                const int wx = smooth[dx + 1], wy = smooth[dy + 1], wz = smooth[dz + 1];
+                gradient += value * glm::dvec3(dx * wy * wz, dy * wx * wz, dz * wx * wy);
+            }
+        }
     }
+    gradient /= spacing;
     const double length = glm::length(gradient);
     return length > 0 && std::isfinite(length) ? gradient / length : glm::dvec3(0);
 }
