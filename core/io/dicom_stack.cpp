@@ -50,25 +50,23 @@ std::string mm_text(double mm) { return fmt::format("{:.4g} mm", mm); }
 
 }  // namespace
 
-StepFit find_step(std::span<const double> along, std::span<const std::optional<int>> instances) {
+namespace {
+
+/// Fits the step `base`, or a multiple of it between slices that are missing.
+StepFit fit_step(std::span<const double> along, std::span<const std::optional<int>> instances, double base,
+                 double duplicate_limit) {
     StepFit fit;
-    const double base = usual_gap(along);
-    if (along.size() < 2 || base <= 0) {
-        fit.planes.assign(along.size(), 0);
-        fit.duplicates = std::max(0, int(along.size()) - 1);
-        return fit;
-    }
     int wide_gaps = 0, gaps = 0;
     bool confirmed = instances.size() == along.size();
     fit.planes.push_back(0);
     for (std::size_t i = 1; i < along.size(); ++i) {
         const double gap = along[i] - along[i - 1];
-        const bool same = gap <= k_duplicate_share * base;
+        const bool same = gap <= duplicate_limit;
         const double steps = same ? 0 : std::max(1.0, std::round(gap / base));
-        if (!(steps < 1e6)) return StepFit{base, {}, gap, fit.duplicates, 0};
         fit.duplicates += same;
         gaps += !same;
         wide_gaps += steps > 1;
+        if (!(fit.planes.back() + steps < 1e8)) return StepFit{base, {}, gap, fit.duplicates, 0};
         confirmed =
             confirmed && instances[i] && instances[i - 1] && std::abs(*instances[i] - *instances[i - 1]) == int(steps);
         fit.planes.push_back(fit.planes.back() + int(steps));
@@ -78,6 +76,27 @@ StepFit find_step(std::span<const double> along, std::span<const std::optional<i
     const bool too_many = wide_gaps > 1 && wide_gaps * 3 > gaps && !confirmed;
     if (!(fit.worst_mm <= k_even_share * fit.step_mm) || too_many) fit.planes.clear();
     return fit;
+}
+
+}  // namespace
+
+StepFit find_step(std::span<const double> along, std::span<const std::optional<int>> instances) {
+    const double base = usual_gap(along);
+    if (along.size() < 2 || base <= 0) {
+        StepFit fit;
+        fit.planes.assign(along.size(), 0);
+        fit.duplicates = std::max(0, int(along.size()) - 1);
+        return fit;
+    }
+    const double duplicate_limit = k_duplicate_share * base;
+    const StepFit usual = fit_step(along, instances, base, duplicate_limit);
+    if (usual.uniform()) return usual;
+    // Where most slices are missing the usual gap is a multiple of the step.
+    double smallest = base;
+    for (std::size_t i = 1; i < along.size(); ++i)
+        if (along[i] - along[i - 1] > duplicate_limit) smallest = std::min(smallest, along[i] - along[i - 1]);
+    const StepFit finest = fit_step(along, instances, smallest, duplicate_limit);
+    return finest.uniform() ? finest : usual;
 }
 
 namespace {

@@ -7,6 +7,7 @@
 #include <dcmtk/dcmjpeg/djencode.h>
 #include <dcmtk/dcmjpeg/djrplol.h>
 #include <dcmtk/dcmjpls/djencode.h>
+#include <dcmtk/dcmjpls/djrparam.h>
 #include <dcmtk/oflog/oflog.h>
 #include <unistd.h>
 
@@ -117,9 +118,9 @@ void put_pixels(DcmDataset& data, const ZooSlice& s, int frames, const Stored& s
                                       : words.push_back(Uint16(stored(f, x, y)));
     if (s.bits_allocated == 8) {
         if (bytes.size() % 2) bytes.push_back(0);
-        check(data.putAndInsertUint8Array(DcmTag(DCM_PixelData, EVR_OB), bytes.data(), bytes.size()), "put bytes");
+        check(data.putAndInsertUint8Array(DCM_PixelData, bytes.data(), bytes.size()), "put bytes");
     } else {
-        check(data.putAndInsertUint16Array(DcmTag(DCM_PixelData, EVR_OW), words.data(), count), "put words");
+        check(data.putAndInsertUint16Array(DCM_PixelData, words.data(), count), "put words");
     }
 }
 
@@ -132,7 +133,7 @@ void save(DcmFileFormat& format, const std::filesystem::path& file, const ZooSli
                                                   : s.syntax == ZooSyntax::jpeg_ls
                                                       ? static_cast<const DcmRepresentationParameter*>(&lossless_ls)
                                                       : nullptr;
-    check(format.getDataset()->chooseRepresentation(syntax, parameter), "encode");
+    if (DcmXfer(syntax).isEncapsulated()) check(format.getDataset()->chooseRepresentation(syntax, parameter), "encode");
     const E_FileWriteMode mode = s.with_meta ? EWM_fileformat : EWM_dataset;
     check(format.saveFile(file.c_str(), syntax, EET_UndefinedLength, EGL_recalcGL, EPD_noChange, 0, 0, mode), "save");
 }
