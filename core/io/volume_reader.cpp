@@ -167,6 +167,16 @@ const SeriesEntry& chosen_series(const std::string& input, const std::vector<Ser
                 "There is no series '" + wanted + "' in " + input + "; it holds:\n" + format_series(found));
 }
 
+/// The DICOM series under a folder; none if it holds a TIFF stack instead, and an Error if it holds neither.
+std::vector<SeriesEntry> dicom_in_folder(const fs::path& folder, const JobContext& job) {
+    try {
+        return find_dicom_series(folder, job);
+    } catch (const Error& e) {
+        if (e.code() == Errc::cancelled || tiff_stack(folder).empty()) throw;
+    }
+    return {};
+}
+
 [[noreturn]] void refuse_folder(const std::string& input) {
     throw Error(Errc::bad_input, "Cannot read " + input + ": the folder holds no DICOM images and no TIFF slices.");
 }
@@ -243,7 +253,7 @@ std::vector<SeriesEntry> list_series(const std::string& input, const JobContext&
     }
     const fs::path path = existing(input);
     if (fs::is_directory(path)) {
-        auto found = find_dicom_series(path, job);
+        auto found = dicom_in_folder(path, job);
         if (!found.empty()) return found;
         const auto files = tiff_stack(path);
         if (files.empty()) refuse_folder(input);
@@ -267,7 +277,8 @@ Volume open_volume(const std::string& input, const OpenOptions& options, const J
     FileKind kind = folder ? FileKind::dicom : kind_of(path, options);
     if (kind == FileKind::dicom) {
         if (!folder) require_dicom(path);
-        const auto found = find_dicom_series(path, job.part(0, 0.2));
+        const JobContext scan = job.part(0, 0.2);
+        const auto found = folder ? dicom_in_folder(path, scan) : find_dicom_series(path, scan);
         if (!found.empty()) {
             Volume volume = read_dicom_series(chosen_series(input, found, options.series), options, job.part(0.2, 1));
             warn_of_nan(volume, {job.stop, nullptr});
