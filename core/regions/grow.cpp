@@ -92,7 +92,8 @@ private:
 
     // False for NaN. Infinite values fail too: a region starts at a finite value and its width is finite.
     bool fits(std::uint32_t label, T value) const {
-        return label == 0 && Wide(value) >= admit_low_ && Wide(value) <= admit_high_;
+        // One branch instead of three: on noise each would be mispredicted on its own.
+        return bool(int(label == 0) & int(Wide(value) >= admit_low_) & int(Wide(value) <= admit_high_));
     }
 
     void admit(Wide value) {
@@ -107,58 +108,48 @@ private:
         count_ = 0;
         claimed_.clear();
         queue_.clear();
-        queue_.push({y, z, x, x});
-        while (!queue_.empty()) take(queue_.pop());
+        claim(y, z, x, x);
+        while (!queue_.empty()) {
+            const Segment front = queue_.pop();
+            for (const RowNeighbour& n : neighbours_) {
+                const int row_y = front.y + n.dy, row_z = front.z + n.dz;
+                if (row_y < 0 || row_z < 0 || row_y >= size_.y || row_z >= size_.z) continue;
+                claim(row_y, row_z, std::max(0, front.first - n.reach), std::min(size_.x - 1, front.last + n.reach));
+            }
+        }
     }
 
-    /// Claims what still fits of a stretch offered earlier, and what follows from it to either side.
-    void take(const Segment& offered) {
-        const std::int64_t start = row_start(offered.y, offered.z);
+    /// Claims what fits of a stretch, and what follows from it to either side; each piece joins the queue once.
+    void claim(int y, int z, int first, int last) {
+        const std::int64_t start = row_start(y, z);
         const T* values = values_ + start;
         std::uint32_t* labels = labels_ + start;
-        for (int x = offered.first; x <= offered.last; ++x) {
+        for (int x = first; x <= last; ++x) {
             if (!fits(labels[x], values[x])) continue;
-            int first = x;
+            int begin = x;
             for (; x < size_.x && fits(labels[x], values[x]); ++x) {
                 labels[x] = id_;
                 admit(values[x]);
             }
-            if (first == offered.first)
-                for (; first > 0 && fits(labels[first - 1], values[first - 1]); --first) {
-                    labels[first - 1] = id_;
-                    admit(values[first - 1]);
+            if (begin == first)  // further right, the voxel before was refused just now
+                for (; begin > 0 && fits(labels[begin - 1], values[begin - 1]); --begin) {
+                    labels[begin - 1] = id_;
+                    admit(values[begin - 1]);
                 }
-            note({offered.y, offered.z, first, x - 1});
+            note({y, z, begin, x - 1});
         }
     }
 
     void note(const Segment& claimed) {
-        const int length = claimed.last - claimed.first + 1;
+        queue_.push(claimed);
         if (count_ < min_voxels_) claimed_.push_back(claimed);
+        const int length = claimed.last - claimed.first + 1;
         count_ += length;
         since_check_ += length;
-        if (since_check_ > 1'000'000) {
-            done_ += since_check_;
-            since_check_ = 0;
-            job_.checkpoint(std::size_t(done_), std::size_t(row_start(0, size_.z)));
-        }
-        for (const RowNeighbour& n : neighbours_) {
-            const int y = claimed.y + n.dy, z = claimed.z + n.dz;
-            if (y < 0 || z < 0 || y >= size_.y || z >= size_.z) continue;
-            offer(y, z, std::max(0, claimed.first - n.reach), std::min(size_.x - 1, claimed.last + n.reach));
-        }
-    }
-
-    void offer(int y, int z, int first, int last) {
-        const std::int64_t start = row_start(y, z);
-        const T* values = values_ + start;
-        const std::uint32_t* labels = labels_ + start;
-        for (int x = first; x <= last; ++x) {
-            if (!fits(labels[x], values[x])) continue;
-            const int begin = x;
-            while (x < last && fits(labels[x + 1], values[x + 1])) ++x;
-            queue_.push({y, z, begin, x});
-        }
+        if (since_check_ <= 1'000'000) return;
+        done_ += since_check_;
+        since_check_ = 0;
+        job_.checkpoint(std::size_t(done_), std::size_t(row_start(0, size_.z)));
     }
 
     void give_back() {

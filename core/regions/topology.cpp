@@ -63,6 +63,9 @@ public:
     }
     /// A piece (or the outside) lies beside a candidate region.
     void touch(std::uint32_t piece, std::uint32_t region) {
+        const Pair pair = make_pair(piece, region);
+        if (pair == last_touch_) return;  // the rows round a run mostly repeat each other
+        last_touch_ = pair;
         piece = find(piece);
         if (piece == 0)
             meets_outside_[region] = 1;
@@ -78,6 +81,7 @@ public:
 private:
     std::vector<Pair> edges_of_graph(std::vector<std::uint32_t>& cavities);
 
+    Pair last_touch_ = 0;
     std::vector<std::uint32_t> parent_;
     std::vector<std::uint32_t> only_;          // per root: the first candidate beside it; most pieces have one alone
     PairSet more_;                             // (piece, candidate) beyond the first
@@ -188,12 +192,30 @@ struct EarlierRow {
     int reach;
 };
 
-void join_row(Runs& row, const std::vector<EarlierRow>& earlier, bool at_frame, int width, Pieces& pieces) {
-    // Pieces first, so that every run without a candidate has one before neighbours are noted.
+/// A run without a candidate beside a candidate, to be noted once the run has its piece.
+struct Pending {
+    const Run* run;
+    std::uint32_t region;
+};
+
+void join_row(Runs& row, const std::vector<EarlierRow>& earlier, bool at_frame, int width, Pieces& pieces,
+              std::vector<Pending>& pending) {
+    pending.clear();
     for (const EarlierRow& e : earlier)
         for_adjacent(row, *e.runs, e.reach, [&](Run& run, const Run& other) {
-            if (run.region || other.region) return;
-            run.piece = run.piece == Pieces::k_none ? pieces.find(other.piece) : pieces.unite(run.piece, other.piece);
+            if (run.region != 0) {
+                if (other.region == 0)
+                    pieces.touch(other.piece, run.region);
+                else if (run.region != other.region)
+                    pieces.touch_regions(run.region, other.region);
+            } else if (other.region != 0) {
+                if (pending.empty() || pending.back().run != &run || pending.back().region != other.region)
+                    pending.push_back({&run, other.region});
+            } else if (run.piece == Pieces::k_none) {
+                run.piece = other.piece;
+            } else if (run.piece != other.piece) {
+                run.piece = pieces.unite(run.piece, other.piece);
+            }
         });
     for (Run& run : row) {
         const bool outside = at_frame || run.first == 0 || run.last == width - 1;
@@ -204,17 +226,14 @@ void join_row(Runs& row, const std::vector<EarlierRow>& earlier, bool at_frame, 
         if (run.piece == Pieces::k_none) run.piece = outside ? 0 : pieces.add();
         if (outside) run.piece = pieces.unite(run.piece, 0);
     }
-    const auto note = [&](const Run& run, const Run& other) {
-        if (run.region && other.region) {
-            if (run.region != other.region) pieces.touch_regions(run.region, other.region);
-        } else if (run.region) {
-            pieces.touch(other.piece, run.region);
-        } else if (other.region) {
-            pieces.touch(run.piece, other.region);
-        }
-    };
-    for (const EarlierRow& e : earlier) for_adjacent(row, *e.runs, e.reach, note);
-    for (std::size_t i = 1; i < row.size(); ++i) note(row[i], row[i - 1]);
+    for (const Pending& p : pending) pieces.touch(p.run->piece, p.region);
+    for (std::size_t i = 1; i < row.size(); ++i) {
+        const Run &a = row[i - 1], &b = row[i];
+        if (a.region && b.region)
+            pieces.touch_regions(a.region, b.region);
+        else
+            pieces.touch(a.region ? b.piece : a.piece, a.region ? a.region : b.region);
+    }
 }
 
 }  // namespace
@@ -238,6 +257,7 @@ std::vector<std::uint32_t> count_cavities(const std::uint32_t* labels, const glm
     Pieces pieces(candidate.size());
     std::vector<Runs> slice(std::size_t(size.y)), before(std::size_t(size.y));
     std::vector<EarlierRow> earlier;
+    std::vector<Pending> pending;
     for (int z = 0; z < size.z; ++z) {
         std::swap(slice, before);
         for (int y = 0; y < size.y; ++y) {
@@ -248,7 +268,7 @@ std::vector<std::uint32_t> count_cavities(const std::uint32_t* labels, const glm
             if (z > 0 && diagonal >= 0 && y > 0) earlier.push_back({&before[y - 1], diagonal});
             if (z > 0 && diagonal >= 0 && y + 1 < size.y) earlier.push_back({&before[y + 1], diagonal});
             const bool at_frame = z == 0 || y == 0 || z == size.z - 1 || y == size.y - 1;
-            join_row(slice[y], earlier, at_frame, size.x, pieces);
+            join_row(slice[y], earlier, at_frame, size.x, pieces, pending);
         }
         job.checkpoint(std::size_t(z) + 1, std::size_t(size.z));
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -43,6 +44,7 @@ void measure(const char* name, const Volume& volume, const RegionOptions& option
     reset_peak();
     const double before = status_bytes("VmRSS:");
     const Stopwatch clock;
+    const std::clock_t cpu_before = std::clock();
     double half_ms = 0;  // when the labels stood and the measuring began
     const JobContext job{{}, [&](double f) { half_ms = f <= 0.5 ? clock.ms() : half_ms; }};
     std::size_t regions = 0, flagged = 0;
@@ -54,8 +56,9 @@ void measure(const char* name, const Volume& volume, const RegionOptions& option
     } catch (const Error& error) {
         outcome = error.what();
     }
-    std::printf("%-34s %4d %7.2f %7.2f %7.2f %9zu %9zu  %s\n", name, volume.geometry().size.x, clock.ms() / 1000,
-                half_ms / 1000, (status_bytes("VmHWM:") - before) / voxels, regions, flagged, outcome.c_str());
+    const double cpu_s = double(std::clock() - cpu_before) / CLOCKS_PER_SEC;
+    std::printf("%-34s %4d %7.2f %7.2f %7.2f %7.2f %9zu %9zu  %s\n", name, volume.geometry().size.x, clock.ms() / 1000,
+                cpu_s, half_ms / 1000, (status_bytes("VmHWM:") - before) / voxels, regions, flagged, outcome.c_str());
     std::fflush(stdout);
 }
 
@@ -81,8 +84,8 @@ int main(int argc, char** argv) {
     std::vector<int> sizes;
     for (int i = 1; i < argc; ++i) sizes.push_back(std::atoi(argv[i]));
     if (sizes.empty()) sizes.push_back(256);
-    std::printf("%d threads\n%-34s %4s %7s %7s %7s %9s %9s\n", lacuna::thread_count(), "volume, options", "size", "s",
-                "label s", "B/voxel", "regions", "flagged");
+    std::printf("%d threads\n%-34s %4s %7s %7s %7s %7s %9s %9s\n", lacuna::thread_count(), "volume, options", "size",
+                "s", "cpu s", "label s", "B/voxel", "regions", "flagged");
     for (const int size : sizes) {
         SampleOptions sample;
         sample.size = size;
