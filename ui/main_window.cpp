@@ -257,6 +257,7 @@ void MainWindow::showDocument() {
         slice->setCursor3d(document.cursor_mm);
     }
     views_->volumeView()->setGeometry3d(document.volume.geometry());
+    views_->volumeView()->setHome(document.home);
     views_->volumeView()->setCamera(document.camera);
     render_panel_->setVolumeFacts(document.statistics->range, QString::fromStdString(document.volume.unit));
     transfer_panel_->setVolume(document.volume, document.statistics);

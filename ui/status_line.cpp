@@ -13,6 +13,7 @@ StatusLine::StatusLine(QWidget* parent)
       bar_(new QProgressBar(this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
     setSizeGripEnabled(false);
+    setContentsMargins(8, 0, 8, 0);
     readout_->setAccessibleName(tr("Value under the cursor"));
     frame_->setAccessibleName(tr("Last frame"));
     device_->setAccessibleName(tr("Device"));

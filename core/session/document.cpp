@@ -26,6 +26,63 @@ ValueRange default_window(const Volume& volume, const VolumeStatistics& statisti
     return {statistics.range.lo - 0.5, statistics.range.lo + 0.5};
 }
 
+namespace {
+
+/// How many of the voxels looked at, every `stride`-th along each axis, reach the threshold, by plane along each axis.
+struct PlaneCounts {
+    std::vector<std::int64_t> along[3];
+    glm::ivec3 stride{1};
+};
+
+template <class T>
+PlaneCounts count_dense(const VolumeView<T>& view, double threshold) {
+    PlaneCounts counts;
+    for (int axis = 0; axis < 3; ++axis) {
+        counts.stride[axis] = std::max(1, (view.size[axis] + 255) / 256);
+        counts.along[axis].assign(std::size_t((view.size[axis] - 1) / counts.stride[axis] + 1), 0);
+    }
+    for (int z = 0; z < view.size.z; z += counts.stride.z)
+        for (int y = 0; y < view.size.y; y += counts.stride.y) {
+            const T* row = view.row(y, z);
+            std::int64_t in_row = 0;
+            for (int x = 0; x < view.size.x; x += counts.stride.x)
+                if (double(row[x]) >= threshold) {
+                    ++in_row;
+                    ++counts.along[0][std::size_t(x / counts.stride.x)];
+                }
+            counts.along[1][std::size_t(y / counts.stride.y)] += in_row;
+            counts.along[2][std::size_t(z / counts.stride.z)] += in_row;
+        }
+    return counts;
+}
+
+}  // namespace
+
+Camera home_camera(const Volume& volume, const VolumeStatistics& statistics) {
+    const double threshold = otsu_threshold(statistics);
+    const PlaneCounts counts =
+        visit_type(volume.type(), [&](auto tag) { return count_dense(volume.view<decltype(tag)>(), threshold); });
+    const GridGeometry& geometry = volume.geometry();
+    glm::dvec3 first(0), last(0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto& planes = counts.along[axis];
+        // A few bright voxels of noise do not make a plane part of the object.
+        const std::int64_t most = *std::max_element(planes.begin(), planes.end());
+        const auto dense = [&](std::int64_t count) { return count > most / 200; };
+        const auto from = std::find_if(planes.begin(), planes.end(), dense);
+        const auto to = std::find_if(planes.rbegin(), planes.rend(), dense);
+        if (from == planes.end()) return {};
+        first[axis] = double(from - planes.begin()) * counts.stride[axis] - 0.5;
+        last[axis] = std::min(double(planes.rend() - to) * counts.stride[axis], double(geometry.size[axis])) - 0.5;
+    }
+    Camera camera;
+    const double span_mm = glm::length((last - first) * geometry.spacing);
+    if (!(span_mm > 0) || span_mm > 0.9 * geometry.diameter_mm()) return camera;
+    camera.zoom = std::min(geometry.diameter_mm() / span_mm, 20.0);
+    camera.center_mm = geometry.voxel_to_mm(0.5 * (first + last));
+    return camera;
+}
+
 Document make_document(std::string input, Volume volume, const JobContext& job) {
     if (volume.empty()) throw Error(Errc::bad_input, "The volume holds no voxels.", input);
     Document document;
@@ -43,7 +100,8 @@ Document make_document(std::string input, Volume volume, const JobContext& job) 
     settings.surface_color = scene.surface_color;
     settings.projection_window = scene.window;
     settings.window = default_window(document.volume, *document.statistics);
-    document.camera = scene.camera;
+    document.home = home_camera(document.volume, *document.statistics);
+    document.camera = document.home;
     const GridGeometry& geometry = document.volume.geometry();
     document.cursor_mm = geometry.voxel_to_mm(glm::dvec3(geometry.size / 2));
     return document;

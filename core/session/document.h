@@ -59,6 +59,7 @@ struct Document {
     std::shared_ptr<const VolumeStatistics> statistics;
     ViewSettings settings;
     Camera camera;
+    Camera home;                                 ///< where the camera starts and comes back to
     glm::dvec3 cursor_mm{0};                     ///< the linked cross-hair
     std::shared_ptr<const RegionTable> regions;  ///< null until computed
     std::uint32_t selected_region = 0;           ///< an id of `regions`; 0: none
@@ -80,6 +81,10 @@ Document make_document(std::string input, Volume volume, const JobContext& job =
 
 /// The grey window a volume opens with: the file's own, soft tissue for HU, else percentiles 0.1 to 99.9.
 ValueRange default_window(const Volume& volume, const VolumeStatistics& statistics);
+
+/// A front view that shows what is denser than Otsu's threshold as large as it fits from every side; the plain camera
+/// where that is the whole volume. Cost: at most 256^3 voxels are looked at.
+Camera home_camera(const Volume& volume, const VolumeStatistics& statistics);
 
 /// The document as a scene: disabled ranges and cuts left out, the selected region highlighted, perspective dropped
 /// where the mode cannot do it. The image size and background are left to the caller.

@@ -1,10 +1,11 @@
 #include "ui/panels/regions_panel.h"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/tab_chain.h"
 #include "ui/widgets/value_slider.h"
 
 namespace lacuna::ui {
@@ -65,13 +66,23 @@ void RegionsPanel::build() {
     clear_->setAccessibleName(tr("Select no region"));
     export_->setAccessibleName(tr("Export the region table"));
     note_->setEnabled(false);
-    auto* row = new QHBoxLayout;
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{method_, lo_, to_, hi_, take_, width_, connectivity_, min_voxels_, compute_})
-        row->addWidget(widget);
-    row->addWidget(note_, 1);
-    row->addWidget(clear_);
-    row->addWidget(export_);
+    auto* form = new QGridLayout;
+    form->setVerticalSpacing(4);
+    form->addWidget(method_, 0, 0);
+    auto* ends = new QHBoxLayout;
+    ends->addWidget(lo_, 1);
+    ends->addWidget(to_);
+    ends->addWidget(hi_, 1);
+    ends->addWidget(width_, 1);
+    form->addLayout(ends, 0, 1);
+    form->addWidget(take_, 1, 0);
+    form->addWidget(connectivity_, 1, 1);
+    form->addWidget(note_, 2, 0);
+    form->addWidget(min_voxels_, 2, 1);
+    form->addWidget(compute_, 3, 0, 1, 2);
+    form->addWidget(clear_, 4, 0);
+    form->addWidget(export_, 4, 1);
+    form->setRowStretch(5, 1);
     sorted_->setSourceModel(model_);
     sorted_->setSortRole(RegionModel::k_sort_role);
     view_->setModel(sorted_);
@@ -84,11 +95,12 @@ void RegionsPanel::build() {
     view_->setTabKeyNavigation(false);
     view_->verticalHeader()->hide();
     view_->verticalHeader()->setDefaultSectionSize(22);
-    view_->horizontalHeader()->setDefaultSectionSize(86);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(6, 6, 6, 6);
-    column->addLayout(row);
-    column->addWidget(view_, 1);
+    view_->horizontalHeader()->setDefaultSectionSize(100);
+    chain_tabs({method_, lo_, hi_, width_, take_, connectivity_, min_voxels_, compute_, clear_, export_, view_});
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(6, 6, 6, 6);
+    row->addLayout(form);
+    row->addWidget(view_, 1);
     export_->setEnabled(false);
     clear_->setEnabled(false);
     compute_->setEnabled(false);

@@ -70,7 +70,7 @@ void RenderPanel::buildRows() {
     skip_->setToolTip(tr("Off: every sample is taken; the picture is the same, only slower"));
     const auto row = [this](const QString& name, QWidget* field) {
         form_->addRow(name, field);
-        form_->labelForField(field)->setMinimumWidth(62);
+        if (QWidget* label = form_->labelForField(field)) label->setMinimumWidth(62);
     };
     row(tr("&Mode"), mode_);
     row(tr("Iso&value"), iso_);

@@ -98,6 +98,8 @@ void TransferPanel::setVolume(const Volume& volume, std::shared_ptr<const Volume
 void TransferPanel::setFunction(const TransferFunction& function) {
     plot_->setFunction(function);
     const int known = preset_->findText(QString::fromStdString(function.name));
+    preset_->setItemText(
+        0, function.name.empty() || known > 0 ? tr("Choose a preset…") : QString::fromStdString(function.name));
     preset_->setCurrentIndex(std::max(0, known));
     showPoint();
 }

@@ -92,7 +92,7 @@ void VolumeView::zoom(double factor) {
 }
 
 void VolumeView::resetCamera() {
-    Camera camera;
+    Camera camera = home_;
     camera.fov_deg = camera_.fov_deg;
     edit(camera);
 }

@@ -22,6 +22,8 @@ public:
     QSize pixelSize() const;
     void setGeometry3d(const lacuna::GridGeometry& geometry);
     void setCamera(const lacuna::Camera& camera);
+    /// Where resetCamera() goes.
+    void setHome(const lacuna::Camera& camera) { home_ = camera; }
     const lacuna::Camera& camera() const { return camera_; }
     /// Shows a picture of any size, scaled to the view; kept until the next.
     void setImage(const QImage& image);
@@ -60,7 +62,7 @@ private:
     void paintAxes(QPainter& painter) const;
 
     std::optional<GridGeometry> geometry_;
-    Camera camera_;
+    Camera camera_, home_;
     QImage image_;
     QString caption_;
     bool plain_background_ = false;

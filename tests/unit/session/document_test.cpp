@@ -60,6 +60,27 @@ TEST(Document, ShearWarpDropsPerspective) {
     EXPECT_TRUE(scene_of(document).camera.fov_deg.has_value());
 }
 
+TEST(Document, TheCameraStartsOnTheObject) {
+    GridGeometry geometry;
+    geometry.size = {40, 30, 20};
+    geometry.spacing = {1, 1, 5};
+    const auto block = [&](glm::ivec3 first, glm::ivec3 last) {
+        return make_volume<std::uint8_t>(geometry, [&](std::span<std::uint8_t> v) {
+            std::fill(v.begin(), v.end(), std::uint8_t(0));
+            for (int z = first.z; z <= last.z; ++z)
+                for (int y = first.y; y <= last.y; ++y)
+                    for (int x = first.x; x <= last.x; ++x) v[std::size_t(geometry.linear_index(x, y, z))] = 200;
+        });
+    };
+    const Document small = make_document("small", block({4, 10, 6}, {9, 19, 7}));
+    ASSERT_TRUE(small.home.center_mm.has_value());
+    EXPECT_NEAR(glm::length(*small.home.center_mm - glm::dvec3(6.5, 14.5, 32.5)), 0, 1e-9);
+    EXPECT_NEAR(small.home.zoom, geometry.diameter_mm() / glm::length(glm::dvec3(6, 10, 10)), 1e-9);
+    EXPECT_EQ(small.camera, small.home);
+    const Document flat = make_document("flat", block({0, 0, 0}, {39, 29, 19}));
+    EXPECT_EQ(flat.home, Camera());
+}
+
 TEST(Document, TheDicomWindowIsTaken) {
     Volume volume = ramp({4, 4, 4});
     volume.unit = "HU";
@@ -97,7 +118,8 @@ TEST(Document, TheNearestVoxelStaysInside) {
     geometry.size = {10, 10, 10};
     geometry.spacing = {1, 1, 5};
     EXPECT_EQ(nearest_voxel(geometry, {-100, 4.4, 1e9}), glm::ivec3(0, 4, 9));
-    EXPECT_EQ(nearest_voxel(geometry, {std::nan(""), 0, 12.6}), glm::ivec3(0, 0, 3));
+    EXPECT_EQ(nearest_voxel(geometry, {0.5, 0, 12.6}).z, 3);
+    EXPECT_EQ(nearest_voxel(geometry, glm::dvec3(std::nan(""))), glm::ivec3(0));
 }
 
 }  // namespace
