@@ -9,6 +9,7 @@
 #include "core/compute/buffers.h"
 #include "core/compute/device_error.h"
 #include "core/render/device_volume.h"
+#include "core/render/ray_params.h"
 
 namespace lacuna {
 
@@ -16,28 +17,11 @@ namespace {
 
 constexpr int k_tile = 16;              // pixels: a work-group covers 16x16
 constexpr cl_uint k_first_row_arg = 2;  // of every ray-casting kernel
-constexpr double k_float_slack = 1e-6;  // relative: interpolation may round beyond a cell's range
-
-enum class ClassKind { opacity, iso, ranges };
-
-ClassKind class_kind(ViewMode mode) {
-    if (mode == ViewMode::ea) return ClassKind::opacity;
-    return mode == ViewMode::iso ? ClassKind::iso : ClassKind::ranges;
-}
-
 bool needs_tables(const Scene& scene) { return scene.mode != ViewMode::iso; }
 
 int round_up(int n, int to) { return (n + to - 1) / to * to; }
 
 }  // namespace
-
-struct OpenClRenderer::CellClasses {
-    ClassKind kind;
-    Classification classification;
-    double iso = 0;
-    std::size_t bytes = 0;
-    cl::Buffer buffer;
-};
 
 struct OpenClRenderer::Tables {
     Classification classification;
@@ -52,23 +36,22 @@ struct OpenClRenderer::Output {
 };
 
 OpenClRenderer::OpenClRenderer(std::shared_ptr<ComputeDevice> device, int lanes)
-    : device_(device), library_(device), lanes_(lanes ? lanes : (device->info().is_cpu ? 16 : 1)) {}
+    : device_(device),
+      library_(device),
+      structures_(device),
+      lanes_(lanes ? lanes : (device->info().is_cpu ? 16 : 1)) {}
 
 OpenClRenderer::~OpenClRenderer() = default;
 
 std::size_t OpenClRenderer::bytes_held() const {
-    std::size_t bytes = 0;
+    std::size_t bytes = structures_.bytes();
     if (volume_) bytes += volume_->extra_bytes();
-    if (cells_) bytes += cells_->bytes();
-    if (classes_) bytes += classes_->bytes;
     if (output_) bytes += std::size_t(output_->padded.x) * std::size_t(output_->padded.y) * 20;
     return bytes;
 }
 
 void OpenClRenderer::drop_caches() {
-    classes_.reset();
-    cells_.reset();
-    cell_ranges_ = {};
+    structures_.drop();
     volume_.reset();
     tables_.reset();
     output_.reset();
@@ -76,53 +59,9 @@ void OpenClRenderer::drop_caches() {
 
 void OpenClRenderer::hold_volume(const Volume& volume) {
     if (volume_ && volume_->holds(volume)) return;
-    classes_.reset();
-    cells_.reset();
+    structures_.hold(volume);
     volume_.reset();  // the old one goes before the new one needs the memory
     volume_ = std::make_unique<DeviceVolume>(*device_, volume);
-}
-
-const MacrocellGrid& OpenClRenderer::macrocells(const Scene& scene, const JobContext& job, RenderResult& result) {
-    BuildRecord& record = result.build["macrocells"];
-    if (!cells_) {
-        const Stopwatch watch;
-        cells_ = build_macrocells(scene.volume, 3, job);
-        cell_ranges_ = device_buffer(*device_, cells_->ranges.data(), cells_->ranges.size() * sizeof(glm::vec2));
-        record.ms += watch.ms();
-    }
-    record.bytes = cells_->bytes();
-    return *cells_;
-}
-
-void OpenClRenderer::classify(const Scene& scene, const TransferTables* tables, RenderResult& result) {
-    const ClassKind kind = class_kind(scene.mode);
-    const bool same = classes_ && classes_->kind == kind && classes_->classification == scene.classification &&
-                      (kind != ClassKind::iso || classes_->iso == scene.iso);
-    BuildRecord& record = result.build["macrocells"];
-    if (!same) {
-        const Stopwatch watch;
-        ValueRange values{0, 0};
-        bool any = false;
-        for (const glm::vec2& r : cells_->ranges) {
-            if (r.x > r.y) continue;
-            values = any ? ValueRange{std::min(values.lo, double(r.x)), std::max(values.hi, double(r.y))}
-                         : ValueRange{r.x, r.y};
-            any = true;
-        }
-        const VisibilityTable table =
-            kind == ClassKind::opacity ? VisibilityTable::of_opacity(scene.classification, values)
-            : kind == ClassKind::iso   ? VisibilityTable::of_iso(scene.classification, scene.iso, values)
-                                       : VisibilityTable::of_ranges(scene.classification, values);
-        double slack = k_float_slack * std::max(std::abs(values.lo), std::abs(values.hi));
-        if (kind == ClassKind::opacity && tables) slack += tables->slack;
-        const std::vector<std::uint8_t> classes = classify_macrocells(*cells_, table, slack);
-        auto next = std::make_unique<CellClasses>(CellClasses{kind, scene.classification, scene.iso, classes.size(),
-                                                              scratch_buffer(*device_, classes.size())});
-        device_->queue().enqueueWriteBuffer(next->buffer, CL_TRUE, 0, classes.size(), classes.data());
-        classes_ = std::move(next);
-        record.ms += watch.ms();
-    }
-    record.bytes += classes_->bytes;
 }
 
 void OpenClRenderer::make_tables(const Scene& scene, double step_mm) {
@@ -144,7 +83,7 @@ void OpenClRenderer::make_tables(const Scene& scene, double step_mm) {
     tables_ = std::move(next);
 }
 
-cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, bool count) {
+cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, int structure, bool count) {
     std::string source = "render/raycast_mip.cl", name = "raycast_mip", extra;
     if (scene.mode == ViewMode::iso) {
         source = "render/raycast_iso.cl", name = "raycast_iso";
@@ -161,7 +100,7 @@ cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, bool co
     const std::string options = "-DLACUNA_LANES=" + std::to_string(lanes_) +
                                 " -DLACUNA_VOXEL=" + std::to_string(int(scene.volume.type())) +
                                 " -DLACUNA_SAMPLER=" + (plan.sampler == Sampler::linear ? "1" : "0") +
-                                " -DLACUNA_STRUCTURE=" + (plan.structure == Structure::macrocells ? "1" : "0") +
+                                " -DLACUNA_STRUCTURE=" + std::to_string(structure) +
                                 " -DLACUNA_RANGES=" + (scene.classification.ranges.empty() ? "0" : "1") +
                                 " -DLACUNA_COUNT=" + (count ? "1" : "0") + extra;
     const std::string key = name + options;
@@ -198,66 +137,63 @@ void OpenClRenderer::read_frame(const Scene& scene, Frame& frame) {
     read(output_->depth, frame.depth_mm.data(), sizeof(float));
 }
 
+void OpenClRenderer::hold_output(glm::ivec2 padded, bool count) {
+    const std::size_t pixels = std::size_t(padded.x) * std::size_t(padded.y);
+    if (!output_ || output_->padded != padded)
+        output_ = std::make_unique<Output>(Output{padded,
+                                                  scratch_buffer(*device_, pixels * sizeof(glm::vec4)),
+                                                  scratch_buffer(*device_, pixels * sizeof(float)),
+                                                  {}});
+    if (!count) return;
+    const std::size_t bytes = pixels / std::size_t(lanes_) * sizeof(cl_uint4);
+    if (!output_->counters()) output_->counters = scratch_buffer(*device_, bytes);
+    // Packets beyond the picture write none.
+    device_->queue().enqueueFillBuffer(output_->counters, cl_uint(0), 0, bytes);
+}
+
+Counters OpenClRenderer::read_counters() {
+    std::vector<cl_uint4> items(std::size_t(output_->padded.x) * std::size_t(output_->padded.y) / std::size_t(lanes_));
+    read_values(*device_, output_->counters, std::span<cl_uint4>(items));
+    Counters sum;
+    for (const cl_uint4& item : items) {
+        sum.rays += item.s[0];
+        sum.samples += item.s[1];
+        sum.skipped += item.s[2];
+        sum.structure_reads += item.s[3];
+    }
+    return sum;
+}
+
 RenderResult OpenClRenderer::render(const Scene& scene, const Plan& plan, const JobContext& job, bool count) {
     return with_device_errors("rendering", [&] {
         RenderResult result;
         hold_volume(scene.volume);
-        const double step_mm = plan.step * scene.volume.geometry().smallest_spacing_mm();
-        if (needs_tables(scene)) make_tables(scene, step_mm);
+        if (needs_tables(scene)) make_tables(scene, plan.step * scene.volume.geometry().smallest_spacing_mm());
         const TransferTables* tables = needs_tables(scene) ? &tables_->host : nullptr;
-        const bool cells = plan.structure == Structure::macrocells;
-        if (cells) {
-            macrocells(scene, job, result);
-            classify(scene, tables, result);
-        }
-        cl::Kernel& cast = kernel(scene, plan, count);
+        const glm::ivec2 padded(round_up(scene.size.x, k_tile), round_up(scene.size.y, k_tile));
+        RayParams params = make_ray_params(scene, plan, volume_->stored_size(), tables, padded.x);
+        const BoundStructure structure = structures_.prepare(scene, plan, tables, params, result.build, job);
+        cl::Kernel& cast = kernel(scene, plan, structure.kernel_id, count);
 
         const Stopwatch watch;
-        const glm::ivec2 padded(round_up(scene.size.x, k_tile), round_up(scene.size.y, k_tile));
-        const std::size_t pixels = std::size_t(padded.x) * std::size_t(padded.y);
-        const std::size_t items = pixels / std::size_t(lanes_);
-        if (!output_ || output_->padded != padded) {
-            output_ = std::make_unique<Output>(Output{padded,
-                                                      scratch_buffer(*device_, pixels * sizeof(glm::vec4)),
-                                                      scratch_buffer(*device_, pixels * sizeof(float)),
-                                                      {}});
-        }
-        if (count && !output_->counters()) output_->counters = scratch_buffer(*device_, items * sizeof(cl_uint4));
-        const RayParams params =
-            make_ray_params(scene, plan, volume_->stored_size(), tables, cells ? &*cells_ : nullptr, padded.x);
-        cl::Buffer constants(device_->context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof params,
-                             const_cast<RayParams*>(&params));
-
+        hold_output(padded, count);
+        cl::Buffer constants(device_->context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof params, &params);
         cl_uint arg = 0;
         cast.setArg(arg++, volume_->voxels());
         cast.setArg(arg++, constants);
-        cast.setArg(arg++, cl_int(0));
+        cast.setArg(arg++, cl_int(0));  // first row: run_bands
         if (scene.mode == ViewMode::ea) cast.setArg(arg++, tables_->opacity);
         if (tables) cast.setArg(arg++, tables_->color);
         cast.setArg(arg++, output_->color);
         cast.setArg(arg++, output_->depth);
         if (scene.mode == ViewMode::ea && tables->uses_gradient) cast.setArg(arg++, tables_->gradient);
-        if (cells) {
-            cast.setArg(arg++, classes_->buffer);
-            cast.setArg(arg++, cell_ranges_);
-        }
+        for (const cl::Buffer& buffer : structure.buffers) cast.setArg(arg++, buffer);
         if (count) cast.setArg(arg++, output_->counters);
 
-        if (count)  // packets beyond the picture write none
-            device_->queue().enqueueFillBuffer(output_->counters, cl_uint(0), 0, items * sizeof(cl_uint4));
         run_bands(cast, padded, job);
         read_frame(scene, result.frame);
         result.frame.ms = watch.ms();
-        if (count) {
-            std::vector<cl_uint4> counted(items);
-            read_values(*device_, output_->counters, std::span<cl_uint4>(counted));
-            for (const cl_uint4& c : counted) {
-                result.frame.counters.rays += c.s[0];
-                result.frame.counters.samples += c.s[1];
-                result.frame.counters.skipped += c.s[2];
-                result.frame.counters.structure_reads += c.s[3];
-            }
-        }
+        if (count) result.frame.counters = read_counters();
         return result;
     });
 }

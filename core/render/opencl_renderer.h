@@ -2,18 +2,16 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 
-#include "core/accel/macrocells.h"
 #include "core/base/job.h"
 #include "core/compute/device.h"
 #include "core/compute/program.h"
 #include "core/render/engine.h"
 #include "core/render/frame.h"
 #include "core/render/plan.h"
-#include "core/render/ray_params.h"
 #include "core/render/scene.h"
+#include "core/render/structure_cache.h"
 #include "core/render/transfer_tables.h"
 
 namespace lacuna {
@@ -37,26 +35,23 @@ public:
     void drop_caches();
 
 private:
-    struct CellClasses;
+    struct Tables;
     struct Output;
 
     void hold_volume(const Volume& volume);
-    const MacrocellGrid& macrocells(const Scene& scene, const JobContext& job, RenderResult& result);
-    void classify(const Scene& scene, const TransferTables* tables, RenderResult& result);
     void make_tables(const Scene& scene, double step_mm);
-    cl::Kernel& kernel(const Scene& scene, const Plan& plan, bool count);
+    cl::Kernel& kernel(const Scene& scene, const Plan& plan, int structure, bool count);
+    void hold_output(glm::ivec2 padded, bool count);
+    Counters read_counters();
     void run_bands(cl::Kernel& kernel, glm::ivec2 padded, const JobContext& job);
     void read_frame(const Scene& scene, Frame& frame);
 
     std::shared_ptr<ComputeDevice> device_;
     ProgramLibrary library_;
+    StructureCache structures_;
     int lanes_;
     std::map<std::string, cl::Kernel> kernels_;
     std::unique_ptr<DeviceVolume> volume_;
-    std::optional<MacrocellGrid> cells_;
-    cl::Buffer cell_ranges_;
-    std::unique_ptr<CellClasses> classes_;
-    struct Tables;
     std::unique_ptr<Tables> tables_;
     std::unique_ptr<Output> output_;
 };

@@ -60,7 +60,7 @@ void put_tables(RayParams& p, const TransferTables& tables) {
 }  // namespace
 
 RayParams make_ray_params(const Scene& scene, const Plan& plan, glm::ivec3 stored_size, const TransferTables* tables,
-                          const MacrocellGrid* cells, int out_stride) {
+                          int out_stride) {
     const GridGeometry& grid = scene.volume.geometry();
     RayParams p{};
     put_rays(p, resolve(scene.camera, grid, scene.size), grid);
@@ -90,14 +90,6 @@ RayParams make_ray_params(const Scene& scene, const Plan& plan, glm::ivec3 store
     p.window_scale = float(scene.window.width() > 0 ? 1 / scene.window.width() : 0);
     p.color_by_tf = scene.color_by_tf ? 1 : 0;
     p.lmip_threshold = float(scene.lmip_threshold);
-    if (cells) {
-        for (int a = 0; a < 3; ++a) p.cells[a] = cells->cells[a];
-        p.cell_shift = cells->shift;
-        p.cell_size = float(1 << cells->shift);
-        // Single precision tells positions apart to about size * 2^-23; a few of those, in samples.
-        const int longest = std::max({grid.size.x, grid.size.y, grid.size.z});
-        p.exit_margin = float(1e-3 + 1e-6 * longest / plan.step);
-    }
     return p;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "core/accel/macrocells.h"
 #include "core/render/plan.h"
 #include "core/render/scene.h"
 #include "core/render/transfer_tables.h"
@@ -8,12 +7,12 @@
 
 namespace lacuna {
 
-/// The kernels' parameters for a scene under a plan: everything in voxel coordinates, single precision, from doubles.
+/// The kernels' parameters for a scene under a plan, less those of its structure (StructureCache): everything in voxel
+/// coordinates, single precision, from doubles.
 /// @param stored_size  voxels stored an axis on the device (at least 2)
 /// @param tables       may be null for modes without a transfer function
-/// @param cells        may be null for plans without macro-cells
 /// @param out_stride   pixels a row of the output buffers
 RayParams make_ray_params(const Scene& scene, const Plan& plan, glm::ivec3 stored_size, const TransferTables* tables,
-                          const MacrocellGrid* cells, int out_stride);
+                          int out_stride);
 
 }  // namespace lacuna
