@@ -45,12 +45,8 @@ std::span<const std::byte> bytes_of(DcmElement& element) {
 
 /// One compressed or deflated image: decompressed as a whole, so that the data set tells the width that came out.
 void decode_whole(DcmDataset& data, const File& file, int count, const FrameSink& sink, const JobContext& job) {
-    if (data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr).bad()) {
-        if (file.syntax_uid != UID_JPEGLSLosslessTransferSyntax && file.syntax_uid != UID_JPEGLSLossyTransferSyntax)
-            throw_damaged(file, "they are cut short or damaged");
-        decode_by_gdcm(file, count, sink, job);  // DCMTK knows JPEG-LS of 8 and 16 bits alone
-        return;
-    }
+    if (data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr).bad())
+        throw_damaged(file, "they are cut short, damaged, or of a precision their decoder does not know");
     PixelFormat format = file.pixels;
     Uint16 bits = 0;
     if (data.findAndGetUint16(DCM_BitsAllocated, bits).good() && bits != 0) format.bits_allocated = bits;

@@ -183,6 +183,11 @@ INSTANTIATE_TEST_SUITE_P(Files, BrokenFiles,
                                          "rtplan_truncated.dcm", "meta_missing_tsyntax.dcm", "no_meta.dcm",
                                          "UN_sequence.dcm", "ExplVR_LitEndNoMeta.dcm", "aneurism_cut.nrrd"));
 
+TEST(DicomData, JpegLsOfSevenBitsIsRefusedNotMisread) {
+    LACUNA_NEEDS_DATA(file, "dicom_zoo/mr_and_other/JLSL_08_07_0_1F.dcm");
+    EXPECT_THROW(open_only(file), Error);
+}
+
 TEST(DicomData, PicturesAndReportsAreNoVolumes) {
     LACUNA_NEEDS_DATA(folder, "dicom_zoo/mr_and_other");
     for (const char* colour : {"SC_rgb_small_odd.dcm", "SC_rgb_rle_2frame.dcm"}) {
