@@ -289,7 +289,7 @@ HeaderResult read_header(const std::filesystem::path& path) {
         if (!pixels) file.pixels.kind = PixelKind::integer;
         fill_file(data, file);
         if (!pixels) throw std::runtime_error("it has no pixels (7FE0,0010)");
-    } catch (const std::runtime_error& fault) {
+    } catch (const std::exception& fault) {
         file.fault = fault.what();
         if (file.frames.empty()) file.frames.resize(1);
     }
