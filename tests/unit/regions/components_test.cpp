@@ -107,6 +107,22 @@ INSTANTIATE_TEST_SUITE_P(Regions, RefusedOptions,
                                          BadOptions{"no_voxels", 0.1, {}, 0}),
                          [](const auto& row) { return std::string(row.param.name); });
 
+TEST(Components, MoreRegionsThanATableHoldsAreRefusedWithTheWayOut) {
+    const Volume volume =
+        volume_of<std::uint8_t>(grid({256, 256, 129}), [](int x, int y, int z) { return (x + y + z) % 2 ? 100 : 0; });
+    for (const bool threshold : {false, true}) {
+        try {
+            threshold ? regions_of(volume) : grown(volume, 0.1);
+            FAIL() << "not refused";
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), Errc::bad_usage);
+            EXPECT_NE(std::string(error.what()).find("--min-voxels"), std::string::npos);
+        }
+    }
+    EXPECT_TRUE(grown(volume, 0.1, Connectivity::c6, 2).rows.empty());
+    EXPECT_EQ(regions_of(volume, Connectivity::c26).rows.size(), 1u);
+}
+
 TEST(Components, MeasuringRefusesLabelsOfAnotherGrid) {
     const Volume volume = volume_of<std::uint8_t>(grid({4, 4, 4}), [](int, int, int) { return 1; });
     LabelVolume labels{grid({4, 4, 3}), std::make_shared<std::vector<std::uint32_t>>(48, 1u)};
