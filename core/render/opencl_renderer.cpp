@@ -83,7 +83,7 @@ void OpenClRenderer::make_tables(const Scene& scene, double step_mm) {
     tables_ = std::move(next);
 }
 
-cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, int structure, bool count) {
+cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool count) {
     std::string source = "render/raycast_mip.cl", name = "raycast_mip", extra;
     if (scene.mode == ViewMode::iso) {
         source = "render/raycast_iso.cl", name = "raycast_iso";
@@ -100,7 +100,8 @@ cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, int str
     const std::string options = "-DLACUNA_LANES=" + std::to_string(lanes_) +
                                 " -DLACUNA_VOXEL=" + std::to_string(int(scene.volume.type())) +
                                 " -DLACUNA_SAMPLER=" + (plan.sampler == Sampler::linear ? "1" : "0") +
-                                " -DLACUNA_STRUCTURE=" + std::to_string(structure) +
+                                " -DLACUNA_STRUCTURE=" + std::to_string(structure.kernel_id) +
+                                " -DLACUNA_RUNS=" + (structure.runs && scene.mode == ViewMode::ea ? "1" : "0") +
                                 " -DLACUNA_RANGES=" + (scene.classification.ranges.empty() ? "0" : "1") +
                                 " -DLACUNA_COUNT=" + (count ? "1" : "0") + extra;
     const std::string key = name + options;
@@ -173,7 +174,7 @@ RenderResult OpenClRenderer::render(const Scene& scene, const Plan& plan, const 
         const glm::ivec2 padded(round_up(scene.size.x, k_tile), round_up(scene.size.y, k_tile));
         RayParams params = make_ray_params(scene, plan, volume_->stored_size(), tables, padded.x);
         const BoundStructure structure = structures_.prepare(scene, plan, tables, params, result.build, job);
-        cl::Kernel& cast = kernel(scene, plan, structure.kernel_id, count);
+        cl::Kernel& cast = kernel(scene, plan, structure, count);
 
         const Stopwatch watch;
         hold_output(padded, count);

@@ -40,7 +40,7 @@ private:
 
     void hold_volume(const Volume& volume);
     void make_tables(const Scene& scene, double step_mm);
-    cl::Kernel& kernel(const Scene& scene, const Plan& plan, int structure, bool count);
+    cl::Kernel& kernel(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool count);
     void hold_output(glm::ivec2 padded, bool count);
     Counters read_counters();
     void run_bands(cl::Kernel& kernel, glm::ivec2 padded, const JobContext& job);

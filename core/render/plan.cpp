@@ -10,8 +10,15 @@ namespace lacuna {
 
 namespace {
 
-constexpr std::array<std::pair<Structure, std::string_view>, 3> k_structure_names{
-    {{Structure::none, "none"}, {Structure::macrocells, "macrocells"}, {Structure::visible, "visible"}}};
+constexpr std::array<std::pair<Structure, std::string_view>, 8> k_structure_names{
+    {{Structure::none, "none"},
+     {Structure::macrocells, "macrocells"},
+     {Structure::octree, "octree"},
+     {Structure::pyramid, "pyramid"},
+     {Structure::pc, "pc"},
+     {Structure::acd, "acd"},
+     {Structure::eacd, "eacd"},
+     {Structure::visible, "visible"}}};
 constexpr std::array<std::pair<Sampler, std::string_view>, 2> k_sampler_names{
     {{Sampler::nearest, "nearest"}, {Sampler::linear, "linear"}}};
 constexpr std::array<std::pair<Refinement, std::string_view>, 4> k_refinement_names{
@@ -106,11 +113,17 @@ void check(const Plan& plan, const Scene& scene) {
         throw Error(Errc::bad_usage, "The number of refinement steps must lie between 0 and 64.");
     if (!(plan.ert >= 0 && plan.ert < 1))
         throw Error(Errc::bad_usage, "The early ray termination must be at least 0 and below 1.");
+    if (!(plan.homogeneity >= 0) || !(plan.homogeneity_angle_deg >= 0 && plan.homogeneity_angle_deg <= 180))
+        throw Error(Errc::bad_usage,
+                    "The homogeneity threshold must not be negative, its angle lie within 0 to 180 degrees.");
+    if (plan.cells != 1 && plan.cells != 4 && plan.cells != 8 && plan.cells != 16)
+        throw Error(Errc::bad_usage, "The macro-cell edge must be 1, 4, 8 or 16 voxels.");
     const bool shear_warp = scene.mode == ViewMode::shear_warp;
     if (shear_warp != (plan.structure == Structure::visible))
         throw Error(Errc::bad_usage, "The structure '" + std::string(name_of(plan.structure)) +
                                          "' cannot serve the mode '" + std::string(name_of(scene.mode)) +
-                                         (shear_warp ? "'; 'visible' can." : "'; 'none' and 'macrocells' can."));
+                                         (shear_warp ? "'; 'visible' can."
+                                                     : "'; none, macrocells, octree, pyramid, pc, acd and eacd can."));
 }
 
 }  // namespace lacuna

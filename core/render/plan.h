@@ -8,20 +8,27 @@
 
 namespace lacuna {
 
-/// How empty space is skipped. `visible` belongs to shear_warp and to nothing else.
-enum class Structure { none, macrocells, visible };
+/// How empty space is skipped (docs/seeds.md names the papers): min-max macro-cells; Lesar's full min-max octree with
+/// kd-restart; Levoy's pyramid of binary volumes; distances to the next visible cell or voxel, isotropic (pc), a
+/// direction octant (acd) or anisotropic (eacd). `visible` belongs to shear_warp and to nothing else.
+enum class Structure { none, macrocells, octree, pyramid, pc, acd, eacd, visible };
 enum class Sampler { nearest, linear };
 enum class Refinement { none, bisect, regula_falsi, newton };
 
 /// How a scene is drawn: plain values, and the reasons for them.
 struct Plan {
     Structure structure = Structure::macrocells;
-    double step = 0.5;                  ///< in units of the smallest voxel spacing
+    double step = 0.5;  ///< in units of the smallest voxel spacing
     Sampler sampler = Sampler::linear;
     Refinement refine = Refinement::regula_falsi;
     int refine_steps = 5;
-    double ert = 0.002;                 ///< EA stops when opacity exceeds 1 - ert; 0: never
-    std::vector<std::string> why;       ///< one sentence a choice, and what was not built
+    double ert = 0.002;      ///< EA stops when opacity exceeds 1 - ert; 0: never
+    double homogeneity = 0;  ///< octree, pc, acd, eacd: values (octree) or opacities that differ by no more
+                             ///< count as equal; 0: lossless
+    double homogeneity_angle_deg =
+        0;          ///< acd, eacd, pc a voxel: gradient directions that differ by no more count as equal
+    int cells = 8;  ///< voxels a macro-cell edge for pc, acd, eacd: 4, 8, 16; 1: a field a voxel, as published
+    std::vector<std::string> why;  ///< one sentence a choice, and what was not built
 };
 
 std::string_view name_of(Structure structure);

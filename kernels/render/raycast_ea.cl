@@ -35,6 +35,50 @@ inline VF faded(constant RayParams* p, global const float* factors, VF opacity, 
 #define GRADIENT_ARGS
 #endif
 
+#if LACUNA_RUNS
+#if LACUNA_GRADIENT_OPACITY
+#define RUN_GRADIENT_ARG , global const float* gradient_factor
+#define RUN_GRADIENT , gradient_factor
+#else
+#define RUN_GRADIENT_ARG
+#define RUN_GRADIENT
+#endif
+/// Composites a homogeneous run, samples k .. k+count-1 of one value, in one step: A = 1-(1-a)^n, C = c A (Es et al.
+/// 2006). The gradient inside is zero. A lane takes part with those of its own samples that lie in the run, and stops,
+/// as sample by sample, at the first one behind which it is opaque enough.
+inline void add_run(constant RayParams* p, global const float* lut_opacity, global const uint* lut_color, const Rays* r,
+                    int k, int count, VF value, VF floor_t, VF3* c, VF* clear, VF* depth RUN_GRADIENT_ARG) {
+    const VF zero = (VF)(0.0f);
+    VI row, inside = in_ranges(p, value, &row);
+    VI entry = lut_index(p, value, row);
+    VF opacity = gather_float(lut_opacity, entry);
+#if LACUNA_GRADIENT_OPACITY
+    opacity = faded(p, gradient_factor, opacity, zero, row);
+#endif
+    VI first = max_of_int(r->first, (VI)(k)), samples = min_of_int(r->end, (VI)(k + count)) - first;
+    VI shown = inside & MASK(opacity > zero) & MASK(samples > (VI)(0)) & MASK(*clear >= floor_t) & MASK(*clear > zero);
+    if (!any_lane(shown)) return;
+    VF3 color = unpack_color(gather_uint(lut_color, entry));
+    shade(p, zero, &color);
+    VF per_sample = log2(max_of(1.0f - opacity, (VF)(1e-30f)));
+    VF n = TO_FLOAT(samples);
+    // The sample at which transmittance first falls below the limit is still added; those behind it are not.
+    VF limit = max_of(floor_t, (VF)(1e-30f));
+    VF last = floor(log2(limit / *clear) / per_sample) + 1.0f;
+    n = min_of(max_of(last, (VF)(1.0f)), n);
+    VF left = *clear * exp2(n * per_sample);
+    VF half_way = ceil(log2(0.5f / *clear) / per_sample);   // samples until opacity exceeds 1/2
+    half_way = MASK(exp2(half_way * per_sample) * *clear < (VF)(0.5f)) ? half_way : half_way + 1.0f;
+    VI crosses = shown & MASK(*clear >= (VF)(0.5f)) & MASK(left < (VF)(0.5f));
+    *depth = crosses ? fma(TO_FLOAT(first) + half_way - 1.0f, (VF)(p->step_mm), r->t0_mm) : *depth;
+    VF weight = shown ? *clear - left : zero;
+    c->x = fma(weight, color.x, c->x);
+    c->y = fma(weight, color.y, c->y);
+    c->z = fma(weight, color.z, c->z);
+    *clear = shown ? left : *clear;
+}
+#endif
+
 kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                        global const float* restrict lut_opacity, global const uint* restrict lut_color,
                        global float4* restrict out_color, global float* restrict out_depth
@@ -67,6 +111,15 @@ kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams
         const Skip skip = next_sample(p, &r, STRUCTURE, &idle, k, end, live);
         COUNT(reads += skip.reads; skipped += jumped(&r, live, k, skip.next);)
         k = skip.next;
+#if LACUNA_RUNS
+        if (skip.run > 1) {
+            add_run(p, lut_opacity, lut_color, &r, k, min(skip.run, end - k), skip.run_value, floor_t, &c, &clear, &depth
+                    RUN_GRADIENT);
+            COUNT(skipped += sum_lanes(counted(live) * max_of_int(min_of_int((VI)(k + skip.run), r.end) - max_of_int((VI)(k), r.first), (VI)(0)));)
+            k += skip.run;
+            continue;
+        }
+#endif
         for (; k < skip.until; ++k) {
             VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & MASK(clear >= floor_t) & MASK(clear > zero);
             VF value = sample_volume(volume, p, ray_at(&r, (VF)((float)k)));

@@ -107,7 +107,7 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
         const float unit = 1.0f / p->step_mm;
         VF nx = fabs(r.delta.x) * (p->spacing[0] * unit), ny = fabs(r.delta.y) * (p->spacing[1] * unit);
         VF nz = fabs(r.delta.z) * (p->spacing[2] * unit);
-        VF side = MASK(r.face == (VI)(0)) ? nx : (MASK(r.face == (VI)(1)) ? ny : nz);
+        VF side = MASK(r.face == (VI)(0)) ? nx : (MASK(r.face == (VI)(1)) ? ny : (MASK(r.face == (VI)(2)) ? nz : (VF)(1.0f)));
         cosine = face_hit ? side : cosine;
         VF3 color = {(VF)(p->surface_color[0]), (VF)(p->surface_color[1]), (VF)(p->surface_color[2])};
         shade(p, cosine, &color);

@@ -19,16 +19,16 @@ typedef struct {
 } Idle;
 
 #if LACUNA_PROJECTION == MINIP
-#define CANNOT_WIN(state, s, cell) MASK(gather_float((global const float*)(s).cell_range, (cell) * 2) >= (state)->best)
+#define CANNOT_WIN(state, s, cell) MASK(cell_least(s, cell) >= (state)->best)
 #elif LACUNA_PROJECTION == MEAN
 #define CANNOT_WIN(state, s, cell) ((VI)(0))
 #elif LACUNA_PROJECTION == LMIP
-#define CANNOT_WIN(state, s, cell) lmip_cannot_win(state, gather_float((global const float*)(s).cell_range, (cell) * 2 + 1))
+#define CANNOT_WIN(state, s, cell) lmip_cannot_win(state, cell_most(s, cell))
 inline VI lmip_cannot_win(const Idle* state, VF largest) {
     return ~state->rising & MASK(largest <= state->best) & MASK(largest < state->threshold);
 }
 #else
-#define CANNOT_WIN(state, s, cell) MASK(gather_float((global const float*)(s).cell_range, (cell) * 2 + 1) <= (state)->best)
+#define CANNOT_WIN(state, s, cell) MASK(cell_most(s, cell) <= (state)->best)
 #endif
 #define IS_IDLE(state, cell_class, structure, cell) \
     (MASK(cell_class == (VI)(CELL_NONE)) | CANNOT_WIN(state, structure, cell))

@@ -1,0 +1,73 @@
+#include "core/render/structure_family.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/compute/buffers.h"
+
+namespace lacuna {
+
+namespace {
+constexpr double k_float_slack = 1e-6;  // relative: interpolation may round beyond a cell's range
+}
+
+const MacrocellGrid& SharedCells::grid(const Volume& volume, int shift, const JobContext& job) {
+    if (!holds(shift)) {
+        MacrocellGrid made = build_macrocells(volume, shift, job);
+        if (int(grids_.size()) <= shift) grids_.resize(std::size_t(shift) + 1);
+        grids_[std::size_t(shift)] = std::move(made);
+    }
+    return grids_[std::size_t(shift)];
+}
+
+std::size_t SharedCells::bytes() const {
+    std::size_t sum = 0;
+    for (const MacrocellGrid& g : grids_) sum += g.bytes();
+    return sum;
+}
+
+VisibilityKey StructureContext::key() const {
+    if (scene.mode == ViewMode::ea) return {VisibilityKey::Kind::opacity, scene.classification, 0};
+    if (scene.mode == ViewMode::iso) return {VisibilityKey::Kind::iso, scene.classification, scene.iso};
+    return {VisibilityKey::Kind::ranges, scene.classification, 0};
+}
+
+VisibilityTable StructureContext::table(ValueRange values) const {
+    if (scene.mode == ViewMode::ea) return VisibilityTable::of_opacity(scene.classification, values);
+    if (scene.mode == ViewMode::iso) return VisibilityTable::of_iso(scene.classification, scene.iso, values);
+    return VisibilityTable::of_ranges(scene.classification, values);
+}
+
+double StructureContext::slack(ValueRange values) const {
+    const double rounding = k_float_slack * std::max(std::abs(values.lo), std::abs(values.hi));
+    return rounding + (scene.mode == ViewMode::ea && tables ? tables->slack : 0);
+}
+
+cl::Buffer StructureContext::upload(const void* data, std::size_t bytes) const {
+    cl::Buffer buffer = scratch_buffer(device, bytes);
+    device.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, data);
+    return buffer;
+}
+
+ValueRange value_range(const MacrocellGrid& grid) {
+    ValueRange values{0, 0};
+    bool any = false;
+    for (const glm::vec2& r : grid.ranges) {
+        if (r.x > r.y) continue;
+        values =
+            any ? ValueRange{std::min(values.lo, double(r.x)), std::max(values.hi, double(r.y))} : ValueRange{r.x, r.y};
+        any = true;
+    }
+    return values;
+}
+
+void put_cells(RayParams& p, glm::ivec3 cells, int shift, const StructureContext& context) {
+    for (int a = 0; a < 3; ++a) p.cells[a] = cells[a];
+    p.cell_shift = shift;
+    p.cell_size = float(1 << shift);
+    // Single precision tells positions apart to about size * 2^-23; a few of those, in samples.
+    const glm::ivec3 size = context.scene.volume.geometry().size;
+    p.exit_margin = float(1e-3 + 1e-6 * std::max({size.x, size.y, size.z}) / context.plan.step);
+}
+
+}  // namespace lacuna
