@@ -14,6 +14,7 @@ StatusLine::StatusLine(QWidget* parent)
       cancel_(new QPushButton(tr("Cancel"), this)) {
     setSizeGripEnabled(false);
     setContentsMargins(8, 0, 8, 0);
+    readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // its text never widens the window
     readout_->setAccessibleName(tr("Value under the cursor"));
     frame_->setAccessibleName(tr("Last frame"));
     device_->setAccessibleName(tr("Device"));

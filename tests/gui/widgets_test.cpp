@@ -124,6 +124,10 @@ TEST(ValueSlider, SettersAreSilentAndNumbersExact) {
     slider.setValue(137);
     EXPECT_EQ(spy.count(), 0);
     EXPECT_EQ(slider.value(), 137);
+    ValueSlider around_zero(QStringLiteral("angle"));  // a fresh spin box is 0 already: the handle must still follow
+    around_zero.setLimits({-90, 90});
+    around_zero.setValue(0);
+    EXPECT_EQ(around_zero.slider()->value(), around_zero.slider()->maximum() / 2);
     slider.slider()->setValue(500);
     EXPECT_EQ(spy.count(), 1);
 }

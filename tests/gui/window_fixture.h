@@ -11,7 +11,7 @@
 
 namespace lacuna::ui::test {
 
-constexpr int k_patience_ms = 120000;  ///< for slow machines; a passing test waits for signals, not for this
+constexpr int k_patience_ms = 60000;  ///< for slow machines; a passing test waits for signals, not for this
 
 /// Share of pixels that differ visibly between two pictures; 1 when the sizes differ.
 inline double difference(const QImage& a, const QImage& b) {
@@ -40,7 +40,7 @@ class WindowTest : public testing::Test {
 protected:
     void SetUp() override {
         window = std::make_unique<MainWindow>([](const JobContext&) { return std::make_shared<Engine>(nullptr); });
-        window->resize(820, 700);
+        window->resize(1100, 760);
         window->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
         window->activateWindow();
@@ -62,7 +62,11 @@ protected:
                 return window->scheduler()->hasEngine() && !window->scheduler()->busy() && !picture().isNull() &&
                        picture().size() == window->views()->volumeView()->pixelSize();
             },
-            k_patience_ms));
+            k_patience_ms))
+            << "busy " << window->scheduler()->busy() << ", picture " << picture().width() << "x" << picture().height()
+            << ", view " << window->views()->volumeView()->pixelSize().width() << "x"
+            << window->views()->volumeView()->pixelSize().height() << ", "
+            << window->messageBar()->text().toStdString();
     }
 
     const QImage& picture() const { return window->views()->volumeView()->image(); }

@@ -183,6 +183,7 @@ void CutsPanel::showCut() {
     azimuth_->setValue(pose.azimuth_deg);
     elevation_->setValue(pose.elevation_deg);
     offset_->setLimits({-half, half});
+    offset_->setSteps(ValueSteps::of({-half, half}).decimals + 2, geometry_.smallest_spacing_mm());
     offset_->setValue(pose.distance_mm);
     const QSignalBlocker quiet(cap_);
     cap_->setChecked(cuts_[std::size_t(current())].plane.cap);

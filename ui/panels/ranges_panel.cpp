@@ -181,7 +181,12 @@ void RangesPanel::addRange() {
     std::vector<RangeSetting> next = ranges_;
     RangeSetting added;
     added.range.name = tr("Range %1").arg(next.size() + 1).toStdString();
-    added.range.range = {otsu_threshold(*statistics_), statistics_->range.hi};
+    // The first is the object, the second what lies around it, further ones the middle of the values.
+    const ValueRange values = statistics_->range;
+    const double otsu = otsu_threshold(*statistics_);
+    added.range.range = next.empty()       ? ValueRange{otsu, values.hi}
+                        : next.size() == 1 ? ValueRange{values.lo, otsu}
+                                           : ValueRange{values.lo + values.width() / 3, values.hi - values.width() / 3};
     next.push_back(added);
     Q_EMIT edited(tr("Add a range"), next);
 }

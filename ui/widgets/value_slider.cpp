@@ -45,11 +45,14 @@ ValueSlider::ValueSlider(const QString& accessible_name, QWidget* parent)
 }
 
 void ValueSlider::setLimits(ValueRange limits) {
-    limits_ = limits.width() > 0 ? limits : ValueRange{limits.lo, limits.lo + 1};
-    const QSignalBlocker quiet(spin_);
+    const ValueRange next = limits.width() > 0 ? limits : ValueRange{limits.lo, limits.lo + 1};
+    if (next == limits_) return;  // do not move a slider in a person's hand
+    limits_ = next;
+    const QSignalBlocker quiet(spin_), quiet_slider(slider_);
     const ValueSteps steps = ValueSteps::of(limits_);
     setSteps(steps.decimals, steps.step);
     spin_->setRange(limits_.lo, limits_.hi);
+    slider_->setValue(tickOf(spin_->value()));
 }
 
 void ValueSlider::setSteps(int decimals, double step) {
@@ -59,7 +62,7 @@ void ValueSlider::setSteps(int decimals, double step) {
 }
 
 void ValueSlider::setValue(double value) {
-    if (spin_->value() == value) return;  // do not move a slider in a person's hand
+    if (spin_->value() == value) return;
     const QSignalBlocker quiet_spin(spin_), quiet_slider(slider_);
     spin_->setValue(value);
     slider_->setValue(tickOf(value));

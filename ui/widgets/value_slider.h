@@ -36,7 +36,7 @@ private:
     static constexpr int k_ticks = 1000;
     int tickOf(double value) const;
 
-    ValueRange limits_{0, 1};
+    ValueRange limits_{0, 0};
     QSlider* slider_;
     QDoubleSpinBox* spin_;
 };
