@@ -19,7 +19,7 @@ typedef struct {
 #if LACUNA_GRADIENT_OPACITY
 #define GRADIENT_ARGS , global const float* restrict gradient_factor
 /// Opacity of one step from that per unit distance and the gradient's factor: 1-(1-a f)^(step/unit).
-inline VF faded(constant RayParams* p, global const float* factors, VF opacity, VF magnitude, VI row) {
+INLINE VF faded(constant RayParams* p, global const float* factors, VF opacity, VF magnitude, VI row) {
     VF scale = (VF)(p->grad_scale[0]), exponent = (VF)(p->exponent[0]);
     for (int i = 1; i <= p->range_count; ++i) {
         VI mine = MASK(row == (VI)(i));
@@ -46,7 +46,7 @@ inline VF faded(constant RayParams* p, global const float* factors, VF opacity, 
 /// Composites a homogeneous run, samples k .. k+count-1 of one value, in one step: A = 1-(1-a)^n, C = c A (Es et al.
 /// 2006). The gradient inside is zero. A lane takes part with those of its own samples that lie in the run, and stops,
 /// as sample by sample, at the first one behind which it is opaque enough.
-inline void add_run(constant RayParams* p, global const float* lut_opacity, global const uint* lut_color, const Rays* r,
+INLINE void add_run(constant RayParams* p, global const float* lut_opacity, global const uint* lut_color, const Rays* r,
                     int k, int count, VF value, VF floor_t, VF3* c, VF* clear, VF* depth RUN_GRADIENT_ARG) {
     const VF zero = (VF)(0.0f);
     VI row, inside = in_ranges(p, value, &row);

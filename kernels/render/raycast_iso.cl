@@ -15,13 +15,13 @@ typedef struct {
     MASK(cell_class == ((state)->inside ? (VI)(CELL_ALL) : (VI)(CELL_NONE)))
 #include "include/skip.clh"
 
-inline VF measure_at(global const voxel_t* volume, constant RayParams* p, const Rays* r, VF k) {
+INLINE VF measure_at(global const voxel_t* volume, constant RayParams* p, const Rays* r, VF k) {
     return iso_measure(p, sample_volume(volume, p, ray_at(r, k)));
 }
 
 /// The root of the measure in the bracket [a, b] (fractional samples, measures ga, gb of opposite sign): refine 1
 /// bisection, 2 regula falsi with the Illinois modification (Dowell & Jarratt 1971), 3 Newton.
-inline VF refine_hit(global const voxel_t* volume, constant RayParams* p, const Rays* r, VF a, VF b, VF ga, VF gb) {
+INLINE VF refine_hit(global const voxel_t* volume, constant RayParams* p, const Rays* r, VF a, VF b, VF ga, VF gb) {
     VF estimate = p->refine == 1 ? 0.5f * (a + b) : b - gb * (b - a) / (gb - ga);
     const VF half_one = (VF)(0.5f);
     VI kept = (VI)(0);   // regula falsi: which end stayed last time, -1 a, 1 b

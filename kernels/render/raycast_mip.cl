@@ -24,7 +24,7 @@ typedef struct {
 #define CANNOT_WIN(state, s, cell) ((VI)(0))
 #elif LACUNA_PROJECTION == LMIP
 #define CANNOT_WIN(state, s, cell) lmip_cannot_win(state, cell_most(s, cell))
-inline VI lmip_cannot_win(const Idle* state, VF largest) {
+INLINE VI lmip_cannot_win(const Idle* state, VF largest) {
     return ~state->rising & MASK(largest <= state->best) & MASK(largest < state->threshold);
 }
 #else
