@@ -53,6 +53,9 @@ void FrameScheduler::setSize(QSize pixels) {
 }
 
 void FrameScheduler::setScene(const Scene& scene, const Plan& plan) {
+    // What another kind of frame will take is not known yet: its first picture is a coarse one.
+    if (scene_ && (scene_->mode != scene.mode || plan_.step != plan.step || plan_.structure != plan.structure))
+        divisor_ = std::max(divisor_, 3);
     scene_ = std::make_shared<const Scene>(scene);
     plan_ = plan;
     changed();

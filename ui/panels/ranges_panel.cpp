@@ -44,6 +44,7 @@ RangeRow::RangeRow(int number, ValueRange limits, QWidget* parent)
         end->setDecimals(steps.decimals);
         end->setSingleStep(steps.step);
         end->setKeyboardTracking(false);
+        end->setCorrectionMode(QAbstractSpinBox::CorrectToNearestValue);
     }
     chain_tabs({enabled_, colors_, remove_, slider_, lo_, hi_});
     connect(enabled_, &QCheckBox::toggled, this, [this](bool on) {

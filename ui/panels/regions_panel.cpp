@@ -118,7 +118,9 @@ void RegionsPanel::setVolume(const Volume& volume, std::shared_ptr<const VolumeS
     for (QDoubleSpinBox* end : {lo_, hi_}) {
         end->setDecimals(steps.decimals);
         end->setSingleStep(steps.step);
-        end->setRange(statistics_->range.lo, statistics_->range.hi);
+        // Wider than the data, so that a round number may be typed.
+        const double room = std::max(1.0, statistics_->range.width());
+        end->setRange(statistics_->range.lo - room, statistics_->range.hi + room);
         end->setSuffix(volume.unit.empty() ? QString() : QStringLiteral(" ") + QString::fromStdString(volume.unit));
     }
     const double otsu = otsu_threshold(*statistics_);

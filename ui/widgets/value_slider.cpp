@@ -28,6 +28,7 @@ ValueSlider::ValueSlider(const QString& accessible_name, QWidget* parent)
     slider_->setAccessibleName(accessible_name);
     spin_->setAccessibleName(tr("%1, number").arg(accessible_name));
     spin_->setKeyboardTracking(false);
+    spin_->setCorrectionMode(QAbstractSpinBox::CorrectToNearestValue);
     spin_->setMinimumWidth(84);
     connect(slider_, &QSlider::valueChanged, this, [this](int tick) {
         const double raw = limits_.lo + limits_.width() * tick / k_ticks;
