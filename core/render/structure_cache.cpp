@@ -2,11 +2,15 @@
 
 #include "core/base/stopwatch.h"
 #include "core/render/structure_macrocells.h"
+#include "core/render/structure_octree.h"
+#include "core/render/structure_pyramid.h"
 
 namespace lacuna {
 
 StructureCache::StructureCache(std::shared_ptr<ComputeDevice> device) : device_(std::move(device)) {
     families_[Structure::macrocells] = make_macrocell_family();
+    families_[Structure::octree] = make_octree_family();
+    families_[Structure::pyramid] = make_pyramid_family();
 }
 
 void StructureCache::hold(const Volume& volume) {

@@ -5,6 +5,7 @@
 #include "shared/base.h"
 
 #define LACUNA_MAX_CUTS 8
+#define LACUNA_MAX_LEVELS 18    /* of a tree over up to 2^17 voxels an axis */
 #define LACUNA_MAX_ROWS 9        /* transfer-function rows: the scene's own, then one a segmentation range */
 
 typedef struct {
@@ -48,7 +49,12 @@ typedef struct {
     s_int cell_shift;                    // log2 of voxels a cell edge
     s_float cell_size;                   // the same as a number
     s_float exit_margin;                 // samples closer to a cell's far face than this count as beyond it
+    // Trees (octree, pyramid): level 0 is the finest.
+    s_int level_base[LACUNA_MAX_LEVELS];     // where a level starts: its first node (octree), its first byte (pyramid)
+    s_int level_nodes[LACUNA_MAX_LEVELS][2]; // nodes along x and y stored a level
+    s_int top_level;                         // coarsest level worth asking; -1: none is
+    s_int cell_gaps;                         // pyramid: a ray can be inside the object, so full cells can be idle too
 } RayParams;
-SHARED_CHECK(RayParams, 592);
+SHARED_CHECK(RayParams, 816);
 
 #endif
