@@ -53,7 +53,11 @@ ordered_json plan_json(const Scene& scene, const Plan& plan) {
             {"refine", std::string(name_of(plan.refine))},
             {"refine_steps", plan.refine_steps},
             {"ert", plan.ert},
-            {"sparse", nullptr},
+            {"sparse", plan.sparse >= 2 ? ordered_json(plan.sparse) : ordered_json(nullptr)},
+            {"sparse_gradient", plan.sparse >= 2 ? ordered_json(plan.sparse_gradient) : ordered_json(nullptr)},
+            {"cells", plan.cells},
+            {"homogeneity", plan.homogeneity},
+            {"homogeneity_angle", plan.homogeneity_angle_deg},
             {"why", plan.why}};
 }
 

@@ -19,13 +19,13 @@ class ShearWarpRenderer;
 
 /// What it took to build the structures the last frame used.
 struct BuildRecord {
-    double ms = 0;            ///< 0 when the cached one served
+    double ms = 0;  ///< 0 when the cached one served
     std::size_t bytes = 0;
 };
 
 struct RenderResult {
     Frame frame;
-    std::map<std::string, BuildRecord> build;   ///< by structure name
+    std::map<std::string, BuildRecord> build;  ///< by structure name
 };
 
 /// Executes plans: the one door to all renderers. Holds the device and the cached structures. Thread-safe: one frame

@@ -13,6 +13,15 @@ struct Counters {
     std::uint64_t skipped = 0;          ///< lattice samples a structure jumped over (not those after termination)
     std::uint64_t structure_reads = 0;  ///< look-ups in the structure
     std::uint64_t not_converged = 0;    ///< iso hits whose Newton refinement left its bracket (reference renderer only)
+
+    Counters& operator+=(const Counters& other) {
+        rays += other.rays;
+        samples += other.samples;
+        skipped += other.skipped;
+        structure_reads += other.structure_reads;
+        not_converged += other.not_converged;
+        return *this;
+    }
 };
 
 /// A picture as rendered: floats, row 0 on top.

@@ -10,13 +10,16 @@
 #include "core/compute/device_error.h"
 #include "core/render/device_volume.h"
 #include "core/render/ray_params.h"
+#include "core/render/sparse_casting.h"
 
 namespace lacuna {
 
 namespace {
 
-constexpr int k_tile = 16;              // pixels: a work-group covers 16x16
-constexpr cl_uint k_first_row_arg = 2;  // of every ray-casting kernel
+constexpr int k_group_pixels = 16;         // a work-group covers 16x16 pixels
+constexpr int k_tiles_a_group = 16;        // or so many 4x4 tiles of a list
+constexpr cl_uint k_first_row_arg = 2;     // of every ray-casting kernel
+constexpr double k_depth_step_pixels = 4;  // sparse casting: steeper than this between cast pixels is an edge
 bool needs_tables(const Scene& scene) { return scene.mode != ViewMode::iso; }
 
 int round_up(int n, int to) { return (n + to - 1) / to * to; }
@@ -83,7 +86,8 @@ void OpenClRenderer::make_tables(const Scene& scene, double step_mm) {
     tables_ = std::move(next);
 }
 
-cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool count) {
+cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool count,
+                                   bool tiles) {
     std::string source = "render/raycast_mip.cl", name = "raycast_mip", extra;
     if (scene.mode == ViewMode::iso) {
         source = "render/raycast_iso.cl", name = "raycast_iso";
@@ -97,13 +101,13 @@ cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, const B
                                                                : 3;
         extra = " -DLACUNA_PROJECTION=" + std::to_string(projection);
     }
-    const std::string options = "-DLACUNA_LANES=" + std::to_string(lanes_) +
-                                " -DLACUNA_VOXEL=" + std::to_string(int(scene.volume.type())) +
-                                " -DLACUNA_SAMPLER=" + (plan.sampler == Sampler::linear ? "1" : "0") +
-                                " -DLACUNA_STRUCTURE=" + std::to_string(structure.kernel_id) +
-                                " -DLACUNA_RUNS=" + (structure.runs && scene.mode == ViewMode::ea ? "1" : "0") +
-                                " -DLACUNA_RANGES=" + (scene.classification.ranges.empty() ? "0" : "1") +
-                                " -DLACUNA_COUNT=" + (count ? "1" : "0") + extra;
+    const std::string options =
+        "-DLACUNA_LANES=" + std::to_string(lanes_) + " -DLACUNA_VOXEL=" + std::to_string(int(scene.volume.type())) +
+        " -DLACUNA_SAMPLER=" + (plan.sampler == Sampler::linear ? "1" : "0") +
+        " -DLACUNA_STRUCTURE=" + std::to_string(structure.kernel_id) +
+        " -DLACUNA_RUNS=" + (structure.runs && scene.mode == ViewMode::ea ? "1" : "0") +
+        " -DLACUNA_RANGES=" + (scene.classification.ranges.empty() ? "0" : "1") +
+        " -DLACUNA_TILES=" + (tiles ? "1" : "0") + " -DLACUNA_COUNT=" + (count ? "1" : "0") + extra + structure.options;
     const std::string key = name + options;
     auto found = kernels_.find(key);
     if (found == kernels_.end()) found = kernels_.emplace(key, library_.kernel(source, name, options)).first;
@@ -113,7 +117,7 @@ cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, const B
 void OpenClRenderer::run_bands(cl::Kernel& kernel, glm::ivec2 padded, const JobContext& job) {
     const int packet = lanes_ == 16 ? 4 : 1, group = lanes_ == 16 ? 4 : 8;
     run_in_bands(
-        *device_, padded.y, k_tile,
+        *device_, padded.y, k_group_pixels,
         [&](int first, int count, cl::Event& done) {
             kernel.setArg(k_first_row_arg, cl_int(first));
             device_->queue().enqueueNDRangeKernel(
@@ -123,19 +127,33 @@ void OpenClRenderer::run_bands(cl::Kernel& kernel, glm::ivec2 padded, const JobC
         job);
 }
 
-void OpenClRenderer::read_frame(const Scene& scene, Frame& frame) {
-    const glm::ivec2 padded = output_->padded;
-    frame.size = scene.size;
+void OpenClRenderer::run_tiles(cl::Kernel& kernel, int tiles, const JobContext& job) {
+    const std::size_t items = 16 / std::size_t(lanes_);  // a tile
+    run_in_bands(
+        *device_, tiles, k_tiles_a_group,
+        [&](int first, int count, cl::Event& done) {
+            kernel.setArg(k_first_row_arg, cl_int(first));
+            device_->queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(items, std::size_t(count)),
+                                                  cl::NDRange(items, std::size_t(k_tiles_a_group)), nullptr, &done);
+        },
+        job);
+}
+
+Frame OpenClRenderer::read_frame(glm::ivec2 size) {
+    Frame frame;
+    frame.size = size;
     frame.color.resize(frame.pixels());
     frame.depth_mm.resize(frame.pixels());
     const auto read = [&](const cl::Buffer& buffer, void* target, std::size_t pixel) {
         const std::array<std::size_t, 3> origin{0, 0, 0};
-        const std::array<std::size_t, 3> region{std::size_t(scene.size.x) * pixel, std::size_t(scene.size.y), 1};
-        device_->queue().enqueueReadBufferRect(buffer, CL_TRUE, origin, origin, region, std::size_t(padded.x) * pixel,
-                                               0, std::size_t(scene.size.x) * pixel, 0, target);
+        const std::array<std::size_t, 3> region{std::size_t(size.x) * pixel, std::size_t(size.y), 1};
+        device_->queue().enqueueReadBufferRect(buffer, CL_TRUE, origin, origin, region,
+                                               std::size_t(output_->padded.x) * pixel, 0, std::size_t(size.x) * pixel,
+                                               0, target);
     };
     read(output_->color, frame.color.data(), sizeof(glm::vec4));
     read(output_->depth, frame.depth_mm.data(), sizeof(float));
+    return frame;
 }
 
 void OpenClRenderer::hold_output(glm::ivec2 padded, bool count) {
@@ -165,36 +183,108 @@ Counters OpenClRenderer::read_counters() {
     return sum;
 }
 
+/// What the frames of one call have in common.
+struct OpenClRenderer::Cast {
+    const Scene& scene;
+    const Plan& plan;
+    const TransferTables* tables;
+    const BoundStructure& structure;
+    const JobContext& job;
+    bool count;
+};
+
+void OpenClRenderer::bind(cl::Kernel& kernel, const Cast& cast, const RayParams& params) {
+    // A kernel does not keep its arguments alive: the member does, until the next frame is bound.
+    constants_ = cl::Buffer(device_->context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof params,
+                            const_cast<RayParams*>(&params));
+    const bool ea = cast.scene.mode == ViewMode::ea;
+    cl_uint arg = 0;
+    kernel.setArg(arg++, volume_->voxels());
+    kernel.setArg(arg++, constants_);
+    kernel.setArg(arg++, cl_int(0));  // first row or tile: set for each launch
+    if (ea) kernel.setArg(arg++, tables_->opacity);
+    if (cast.tables) kernel.setArg(arg++, tables_->color);
+    kernel.setArg(arg++, output_->color);
+    kernel.setArg(arg++, output_->depth);
+    if (ea && cast.tables->uses_gradient) kernel.setArg(arg++, tables_->gradient);
+    for (const cl::Buffer& buffer : cast.structure.buffers) kernel.setArg(arg++, buffer);
+    if (cast.count) kernel.setArg(arg++, output_->counters);
+    tiles_arg_ = arg;
+}
+
+Frame OpenClRenderer::cast_picture(const Cast& cast, RayParams params, glm::ivec2 size) {
+    const glm::ivec2 padded(round_up(size.x, k_group_pixels), round_up(size.y, k_group_pixels));
+    params.width = size.x;
+    params.height = size.y;
+    params.out_stride = padded.x;
+    hold_output(padded, cast.count);
+    cl::Kernel& caster = kernel(cast.scene, cast.plan, cast.structure, cast.count, false);
+    bind(caster, cast, params);
+    run_bands(caster, padded, cast.job);
+    Frame frame = read_frame(size);
+    if (cast.count) frame.counters = read_counters();
+    return frame;
+}
+
+void OpenClRenderer::cast_tiles(const Cast& cast, RayParams params, std::vector<glm::ivec2> tiles, Frame& frame) {
+    if (tiles.empty()) return;
+    const std::size_t wanted = tiles.size();
+    while (tiles.size() % k_tiles_a_group) tiles.push_back({0, frame.size.y});  // below the picture: casts nothing
+    const glm::ivec2 padded(round_up(frame.size.x, k_group_pixels), round_up(frame.size.y, k_group_pixels));
+    params.out_stride = padded.x;
+    hold_output(padded, cast.count);
+    cl::Kernel& caster = kernel(cast.scene, cast.plan, cast.structure, cast.count, true);
+    bind(caster, cast, params);
+    cl::Buffer list(device_->context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, tiles.size() * sizeof(glm::ivec2),
+                    tiles.data());
+    caster.setArg(tiles_arg_, list);
+    run_tiles(caster, int(tiles.size()), cast.job);
+    const Frame again = read_frame(frame.size);
+    for (std::size_t i = 0; i < wanted; ++i)
+        for (int y = tiles[i].y; y < std::min(tiles[i].y + 4, frame.size.y); ++y)
+            for (int x = tiles[i].x; x < std::min(tiles[i].x + 4, frame.size.x); ++x) {
+                const std::size_t at = std::size_t(y) * std::size_t(frame.size.x) + std::size_t(x);
+                frame.color[at] = again.color[at];
+                frame.depth_mm[at] = again.depth_mm[at];
+            }
+    if (cast.count) frame.counters += read_counters();
+}
+
+Frame OpenClRenderer::cast_sparsely(const Cast& cast, const RayParams& params) {
+    const SparseGrid grid{cast.plan.sparse, cast.scene.size};
+    RayParams coarse = params;
+    for (int a = 0; a < 3; ++a) {
+        const auto k = s_float(grid.k);
+        coarse.origin_dx[a] *= k;
+        coarse.origin_dy[a] *= k;
+        coarse.dir_dx[a] *= k;
+        coarse.dir_dy[a] *= k;
+    }
+    const Frame every_kth = cast_picture(cast, coarse, grid.size());
+    Frame frame = interpolate(every_kth, grid);
+    frame.counters = every_kth.counters;
+    const double pixel_mm = resolve(cast.scene.camera, cast.scene.volume.geometry(), cast.scene.size).pixel_mm;
+    cast_tiles(cast, params,
+               tiles_to_recast(every_kth, grid, cast.plan.sparse_gradient, k_depth_step_pixels * grid.k * pixel_mm),
+               frame);
+    return frame;
+}
+
 RenderResult OpenClRenderer::render(const Scene& scene, const Plan& plan, const JobContext& job, bool count) {
     return with_device_errors("rendering", [&] {
         RenderResult result;
         hold_volume(scene.volume);
         if (needs_tables(scene)) make_tables(scene, plan.step * scene.volume.geometry().smallest_spacing_mm());
         const TransferTables* tables = needs_tables(scene) ? &tables_->host : nullptr;
-        const glm::ivec2 padded(round_up(scene.size.x, k_tile), round_up(scene.size.y, k_tile));
-        RayParams params = make_ray_params(scene, plan, volume_->stored_size(), tables, padded.x);
+        RayParams params = make_ray_params(scene, plan, volume_->stored_size(), tables);
         const BoundStructure structure = structures_.prepare(scene, plan, tables, params, result.build, job);
-        cl::Kernel& cast = kernel(scene, plan, structure, count);
+        const Cast cast{scene, plan, tables, structure, job, count};
+        kernel(scene, plan, structure, count, false);  // compiled before the clock starts
+        if (plan.sparse >= 2) kernel(scene, plan, structure, count, true);
 
         const Stopwatch watch;
-        hold_output(padded, count);
-        cl::Buffer constants(device_->context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof params, &params);
-        cl_uint arg = 0;
-        cast.setArg(arg++, volume_->voxels());
-        cast.setArg(arg++, constants);
-        cast.setArg(arg++, cl_int(0));  // first row: run_bands
-        if (scene.mode == ViewMode::ea) cast.setArg(arg++, tables_->opacity);
-        if (tables) cast.setArg(arg++, tables_->color);
-        cast.setArg(arg++, output_->color);
-        cast.setArg(arg++, output_->depth);
-        if (scene.mode == ViewMode::ea && tables->uses_gradient) cast.setArg(arg++, tables_->gradient);
-        for (const cl::Buffer& buffer : structure.buffers) cast.setArg(arg++, buffer);
-        if (count) cast.setArg(arg++, output_->counters);
-
-        run_bands(cast, padded, job);
-        read_frame(scene, result.frame);
+        result.frame = plan.sparse >= 2 ? cast_sparsely(cast, params) : cast_picture(cast, params, scene.size);
         result.frame.ms = watch.ms();
-        if (count) result.frame.counters = read_counters();
         return result;
     });
 }

@@ -37,14 +37,20 @@ public:
 private:
     struct Tables;
     struct Output;
+    struct Cast;
 
     void hold_volume(const Volume& volume);
     void make_tables(const Scene& scene, double step_mm);
-    cl::Kernel& kernel(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool count);
+    cl::Kernel& kernel(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool count, bool tiles);
     void hold_output(glm::ivec2 padded, bool count);
     Counters read_counters();
+    void bind(cl::Kernel& kernel, const Cast& cast, const RayParams& params);
     void run_bands(cl::Kernel& kernel, glm::ivec2 padded, const JobContext& job);
-    void read_frame(const Scene& scene, Frame& frame);
+    void run_tiles(cl::Kernel& kernel, int tiles, const JobContext& job);
+    Frame read_frame(glm::ivec2 size);
+    Frame cast_picture(const Cast& cast, RayParams params, glm::ivec2 size);
+    void cast_tiles(const Cast& cast, RayParams params, std::vector<glm::ivec2> tiles, Frame& frame);
+    Frame cast_sparsely(const Cast& cast, const RayParams& params);
 
     std::shared_ptr<ComputeDevice> device_;
     ProgramLibrary library_;
@@ -54,6 +60,8 @@ private:
     std::unique_ptr<DeviceVolume> volume_;
     std::unique_ptr<Tables> tables_;
     std::unique_ptr<Output> output_;
+    cl::Buffer constants_;
+    cl_uint tiles_arg_ = 0;  ///< of the kernel bound last: where a tile list goes
 };
 
 }  // namespace lacuna

@@ -103,6 +103,8 @@ Plan reference_plan(const Scene& scene, const Plan& like) {
     plan.structure = Structure::none;
     plan.sampler = Sampler::linear;
     plan.ert = 0;
+    plan.sparse = 0;
+    plan.homogeneity = plan.homogeneity_angle_deg = 0;
     return plan;
 }
 
@@ -118,6 +120,12 @@ void check(const Plan& plan, const Scene& scene) {
                     "The homogeneity threshold must not be negative, its angle lie within 0 to 180 degrees.");
     if (plan.cells != 1 && plan.cells != 4 && plan.cells != 8 && plan.cells != 16)
         throw Error(Errc::bad_usage, "The macro-cell edge must be 1, 4, 8 or 16 voxels.");
+    if (plan.sparse != 0 && (plan.sparse < 2 || plan.sparse > 64))
+        throw Error(Errc::bad_usage, "Sparse casting takes every 2nd to 64th pixel.");
+    if (!(plan.sparse_gradient >= 0))
+        throw Error(Errc::bad_usage, "The colour gradient of sparse casting must not be negative.");
+    if (plan.sparse != 0 && scene.mode == ViewMode::shear_warp)
+        throw Error(Errc::bad_usage, "Sparse casting skips rays; shear-warp casts none. Leave one of them out.");
     const bool shear_warp = scene.mode == ViewMode::shear_warp;
     if (shear_warp != (plan.structure == Structure::visible))
         throw Error(Errc::bad_usage, "The structure '" + std::string(name_of(plan.structure)) +

@@ -26,9 +26,11 @@ struct Plan {
     double homogeneity = 0;  ///< octree, pc, acd, eacd: values (octree) or opacities that differ by no more
                              ///< count as equal; 0: lossless
     double homogeneity_angle_deg =
-        0;          ///< acd, eacd, pc a voxel: gradient directions that differ by no more count as equal
-    int cells = 8;  ///< voxels a macro-cell edge for pc, acd, eacd: 4, 8, 16; 1: a field a voxel, as published
-    std::vector<std::string> why;  ///< one sentence a choice, and what was not built
+        0;           ///< acd, eacd, pc a voxel: gradient directions that differ by no more count as equal
+    int cells = 8;   ///< voxels a macro-cell edge for pc, acd, eacd: 4, 8, 16; 1: a field a voxel, as published
+    int sparse = 0;  ///< cast every k-th pixel, refine at edges (Lesar 2015); below 2: every pixel
+    double sparse_gradient = 0.02;  ///< colour difference (0..1) between cast pixels above which all between are cast
+    std::vector<std::string> why;   ///< one sentence a choice, and what was not built
 };
 
 std::string_view name_of(Structure structure);

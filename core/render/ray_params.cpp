@@ -59,8 +59,7 @@ void put_tables(RayParams& p, const TransferTables& tables) {
 
 }  // namespace
 
-RayParams make_ray_params(const Scene& scene, const Plan& plan, glm::ivec3 stored_size, const TransferTables* tables,
-                          int out_stride) {
+RayParams make_ray_params(const Scene& scene, const Plan& plan, glm::ivec3 stored_size, const TransferTables* tables) {
     const GridGeometry& grid = scene.volume.geometry();
     RayParams p{};
     put_rays(p, resolve(scene.camera, grid, scene.size), grid);
@@ -72,7 +71,6 @@ RayParams make_ray_params(const Scene& scene, const Plan& plan, glm::ivec3 store
     p.step_mm = float(plan.step * grid.smallest_spacing_mm());
     p.width = scene.size.x;
     p.height = scene.size.y;
-    p.out_stride = out_stride;
     put_cuts(p, scene, grid);
     p.range_count = int(scene.classification.ranges.size());
     for (int i = 0; i < p.range_count; ++i) {

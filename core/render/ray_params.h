@@ -11,8 +11,6 @@ namespace lacuna {
 /// coordinates, single precision, from doubles.
 /// @param stored_size  voxels stored an axis on the device (at least 2)
 /// @param tables       may be null for modes without a transfer function
-/// @param out_stride   pixels a row of the output buffers
-RayParams make_ray_params(const Scene& scene, const Plan& plan, glm::ivec3 stored_size, const TransferTables* tables,
-                          int out_stride);
+RayParams make_ray_params(const Scene& scene, const Plan& plan, glm::ivec3 stored_size, const TransferTables* tables);
 
 }  // namespace lacuna

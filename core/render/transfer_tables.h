@@ -15,7 +15,7 @@ struct TransferTables {
     int entries = 0;
     std::vector<float> opacity;          ///< of one step, opacity-corrected; with gradient opacity per unit distance
     std::vector<std::uint32_t> color;    ///< red 11 bits (lowest), green 11, blue 10
-    std::vector<float> scale, lo;      ///< a row
+    std::vector<float> scale, lo;        ///< a row
     bool uses_gradient = false;          ///< any row has a gradient-opacity curve
     std::vector<float> gradient_factor;  ///< 1024 a row; entry = round(magnitude * gradient_scale)
     std::vector<float> gradient_scale, exponent;  ///< a row; exponent = step over unit distance

@@ -9,6 +9,7 @@
 #include "include/classify.clh"
 #include "include/shade.clh"
 #include "include/output.clh"
+#include "include/launch.clh"
 
 typedef struct {
     int unused;
@@ -82,8 +83,8 @@ INLINE void add_run(constant RayParams* p, global const float* lut_opacity, glob
 kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                        global const float* restrict lut_opacity, global const uint* restrict lut_color,
                        global float4* restrict out_color, global float* restrict out_depth
-                       GRADIENT_ARGS STRUCTURE_ARGS COUNTER_ARGS) {
-    const int x0 = (int)get_global_id(0) * PACKET_W, y0 = first_row + (int)get_global_id(1) * PACKET_H;
+                       GRADIENT_ARGS STRUCTURE_ARGS COUNTER_ARGS LAUNCH_ARGS) {
+    const int x0 = PIXEL_X0, y0 = PIXEL_Y0;
     if (x0 >= p->out_stride || y0 >= p->height) return;
     Rays r = make_rays(p, x0, y0);
     const VF zero = (VF)(0.0f), one = (VF)(1.0f), floor_t = (VF)(p->min_transmittance);

@@ -7,6 +7,7 @@
 #include "include/classify.clh"
 #include "include/shade.clh"
 #include "include/output.clh"
+#include "include/launch.clh"
 
 typedef struct {
     VI inside;     // lanes that came in through an open cut and have not left the object yet
@@ -54,8 +55,8 @@ INLINE VF refine_hit(global const voxel_t* volume, constant RayParams* p, const 
 
 kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                         global float4* restrict out_color, global float* restrict out_depth
-                        STRUCTURE_ARGS COUNTER_ARGS) {
-    const int x0 = (int)get_global_id(0) * PACKET_W, y0 = first_row + (int)get_global_id(1) * PACKET_H;
+                        STRUCTURE_ARGS COUNTER_ARGS LAUNCH_ARGS) {
+    const int x0 = PIXEL_X0, y0 = PIXEL_Y0;
     if (x0 >= p->out_stride || y0 >= p->height) return;
     Rays r = make_rays(p, x0, y0);
     const VF zero = (VF)(0.0f);

@@ -6,6 +6,7 @@
 #include "include/ray.clh"
 #include "include/classify.clh"
 #include "include/output.clh"
+#include "include/launch.clh"
 
 #define MIP 0
 #define MINIP 1
@@ -37,8 +38,8 @@ INLINE VI lmip_cannot_win(const Idle* state, VF largest) {
 kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                         global const uint* restrict lut_color,
                         global float4* restrict out_color, global float* restrict out_depth
-                        STRUCTURE_ARGS COUNTER_ARGS) {
-    const int x0 = (int)get_global_id(0) * PACKET_W, y0 = first_row + (int)get_global_id(1) * PACKET_H;
+                        STRUCTURE_ARGS COUNTER_ARGS LAUNCH_ARGS) {
+    const int x0 = PIXEL_X0, y0 = PIXEL_Y0;
     if (x0 >= p->out_stride || y0 >= p->height) return;
     Rays r = make_rays(p, x0, y0);
     const VF zero = (VF)(0.0f);

@@ -37,7 +37,7 @@ double share_over(const Frame& a, const Frame& b, double levels) {
     return double(over) / double(a.pixels());
 }
 
-const ViewMode k_modes[] = {ViewMode::iso,   ViewMode::ea,   ViewMode::mip,
+const ViewMode k_modes[] = {ViewMode::iso,  ViewMode::ea,    ViewMode::mip,
                             ViewMode::lmip, ViewMode::minip, ViewMode::mean};
 
 struct Case {

@@ -18,7 +18,8 @@ struct NamedVolume {
 };
 
 /// A smooth bumpy ball, value 0..amplitude, of any size and type.
-template <class T> Volume bumpy_ball(glm::ivec3 size, glm::dvec3 spacing, double amplitude, double offset = 0) {
+template <class T>
+Volume bumpy_ball(glm::ivec3 size, glm::dvec3 spacing, double amplitude, double offset = 0) {
     GridGeometry grid;
     grid.size = size;
     grid.spacing = spacing;
