@@ -62,7 +62,7 @@ TEST(Sparse, AtGradientZeroOnlyEqualPixelsAreInterpolated) {
             const Scene scene = ball_scene(mode, size);
             const Frame full = render(scene, 0, 0), sparse = render(scene, 2, 0);
             const ImageError error = compare(sparse, full, {0, 0, 0}, 1.0);
-            EXPECT_LE(double(error.pixels_over_budget), 0.01 * double(full.pixels())) << name_of(mode) << " " << size.x;
+            EXPECT_LE(double(error.pixels_over_budget), 1 + 0.01 * double(full.pixels())) << name_of(mode) << " " << size.x;
         }
 }
 
@@ -89,6 +89,7 @@ TEST(SparseFails, AOnePixelWireVanishesBetweenCastPixels) {
     GridGeometry grid;
     grid.size = {33, 9, 33};
     const Volume wire = make_volume<std::uint8_t>(grid, [&](auto voxels) {
+        std::fill(voxels.begin(), voxels.end(), std::uint8_t(0));
         for (int x = 0; x < 33; ++x) voxels[std::size_t(grid.linear_index(x, 4, 16))] = 255;
     });
     Scene scene = test::small_scene(wire, ViewMode::mip, {96, 96});
