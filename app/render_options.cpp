@@ -56,7 +56,10 @@ void RenderOptions::add_to(CLI::App& command) {
     word("--gradient", words_.gradient, "central, on-the-fly (the one there is)");
     word("--refine", words_.refine, "none, bisect, regula-falsi (default) or newton (iso)");
     word("--refine-steps", words_.refine_steps, "most refinement steps (default 5)");
-    word("--structure", words_.structure, "auto (default), none, macrocells or visible (shear-warp)");
+    word("--structure", words_.structure,
+         "auto (default), none, macrocells, octree, pyramid, pc, acd, eacd or visible (shear-warp)");
+    word("--cells", words_.cells, "voxels a macro-cell edge of pc, acd, eacd: 4, 8 (default), 16; 1: an entry a voxel");
+    word("--homogeneity", words_.homogeneity, "T[,A]: opacities (octree: values) and angles that count as equal");
     word("--ert", words_.ert, "stop when opacity exceeds 1-E; 0: never (default 0.002)");
     word("--turntable", words_.turntable, "N frames over 360 degrees: OUT-000.png ...");
     command.add_flag("--verify", verify, "also render the reference and report the error");
@@ -126,6 +129,19 @@ void RenderOptions::parse_plan() {
     if (words_.refine_steps) refine_steps_ = int(parse_integer("--refine-steps", *words_.refine_steps, 0, 100));
     if (words_.structure && *words_.structure != "auto")
         structure_ = for_flag("--structure", [&] { return parse_structure(*words_.structure); });
+    if (words_.cells) {
+        cells_ = int(parse_integer("--cells", *words_.cells, 1, 16));
+        if (*cells_ & (*cells_ - 1) || *cells_ == 2) refuse("--cells", *words_.cells, "1, 4, 8 or 16");
+    }
+    if (words_.homogeneity) {
+        const std::string& text = *words_.homogeneity;
+        const std::vector<double> v = parse_numbers("--homogeneity", text, text.find(',') == std::string::npos ? 1 : 2);
+        if (!(v[0] >= 0)) refuse("--homogeneity", text, "a threshold of at least 0");
+        homogeneity_ = v[0];
+        if (v.size() > 1) homogeneity_angle_ = v[1];
+        if (v.size() > 1 && !(v[1] >= 0 && v[1] <= 180))
+            refuse("--homogeneity", text, "an angle from 0 to 180 degrees");
+    }
     if (words_.gradient) {
         const std::string& g = *words_.gradient;
         if (g != "central" && g != "on-the-fly" && g != "central,on-the-fly" && g != "on-the-fly,central")
@@ -213,6 +229,9 @@ Plan RenderOptions::plan(const Scene& scene) const {
     take(plan.refine, refine_, "--refine");
     take(plan.refine_steps, refine_steps_, "--refine-steps");
     take(plan.ert, ert_, "--ert");
+    take(plan.cells, cells_, "--cells");
+    take(plan.homogeneity, homogeneity_, "--homogeneity");
+    if (homogeneity_angle_) plan.homogeneity_angle_deg = *homogeneity_angle_;
     return plan;
 }
 

@@ -46,7 +46,8 @@ private:
     };
     struct Words {
         std::optional<std::string> mode, iso, tf, window, shading, lmip_threshold, size, azimuth, elevation, roll, zoom,
-            center, perspective, step, sampler, gradient, refine, refine_steps, structure, ert, turntable;
+            center, perspective, step, sampler, gradient, refine, refine_steps, structure, cells, homogeneity, ert,
+            turntable;
         std::vector<std::string> ranges, cuts;
     };
 
@@ -68,6 +69,8 @@ private:
     std::vector<CuttingPlane> cuts_;
     Camera camera_;
     glm::ivec2 size_{512, 512};
+    std::optional<double> homogeneity_, homogeneity_angle_;
+    std::optional<int> cells_;
     std::optional<Structure> structure_;
     std::optional<Sampler> sampler_;
     std::optional<Refinement> refine_;

@@ -1,6 +1,9 @@
 #include "core/render/structure_cache.h"
 
+#include <set>
+
 #include "core/base/stopwatch.h"
+#include "core/render/structure_distance.h"
 #include "core/render/structure_macrocells.h"
 #include "core/render/structure_octree.h"
 #include "core/render/structure_pyramid.h"
@@ -11,6 +14,8 @@ StructureCache::StructureCache(std::shared_ptr<ComputeDevice> device) : device_(
     families_[Structure::macrocells] = make_macrocell_family();
     families_[Structure::octree] = make_octree_family();
     families_[Structure::pyramid] = make_pyramid_family();
+    const std::shared_ptr<StructureFamily> distances = make_distance_family();
+    for (const Structure kind : {Structure::pc, Structure::acd, Structure::eacd}) families_[kind] = distances;
 }
 
 void StructureCache::hold(const Volume& volume) {
@@ -27,7 +32,9 @@ void StructureCache::drop() {
 
 std::size_t StructureCache::bytes() const {
     std::size_t sum = cells_.bytes();
-    for (const auto& [kind, family] : families_) sum += family->bytes();
+    std::set<const StructureFamily*> counted;  // some serve several names
+    for (const auto& [kind, family] : families_)
+        if (counted.insert(family.get()).second) sum += family->bytes();
     return sum;
 }
 

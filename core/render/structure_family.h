@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/accel/macrocells.h"
@@ -20,6 +21,7 @@ struct BoundStructure {
     bool runs = false;      ///< LACUNA_RUNS: it can answer "n samples of this value"
     bool built = false;     ///< something had to be built for this frame
     std::size_t bytes = 0;  ///< held for this structure, the min-max cells it was derived from included
+    std::string options = {};  ///< further options of the kernel variant, each with a space before it
 };
 
 /// What visibility of values means depends on the mode: opacity (EA), inside (iso), or the ranges alone (MIP family).
