@@ -16,8 +16,34 @@ namespace lacuna {
 namespace fs = std::filesystem;
 
 namespace {
+
 std::string reason(int code) { return std::generic_category().message(code); }
+
+/// What a user can do about a failed write.
+const char* advice(int code) {
+    switch (code) {
+        case ENOSPC:
+        case EDQUOT:
+            return "free some space or write elsewhere";
+        case EFBIG:
+            return "the file system or a limit (ulimit -f) allows no file so large; write elsewhere";
+        case EACCES:
+        case EPERM:
+        case EROFS:
+            return "name a folder that takes new files";
+        case ENAMETOOLONG:
+            return "choose a shorter name";
+        default:
+            return "check the disk or write elsewhere";
+    }
+}
+
 }  // namespace
+
+void throw_cannot_write(const fs::path& target, int code) {
+    throw Error(Errc::io, "Cannot write " + target.string() + ": " + reason(code) + "; nothing was written; " +
+                              advice(code) + ".");
+}
 
 AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
     static std::atomic<unsigned> counter{0};
@@ -41,19 +67,19 @@ void AtomicFile::commit() {
     if (fd < 0 || ::fsync(fd) != 0) {
         const int code = errno;
         if (fd >= 0) ::close(fd);
-        throw Error(Errc::io, "Cannot write " + target_.string() + ": " + reason(code) + ".");
+        throw_cannot_write(target_, code);
     }
     ::close(fd);
     std::error_code ec;
     fs::rename(temporary_, target_, ec);
-    if (ec) throw Error(Errc::io, "Cannot write " + target_.string() + ": " + ec.message() + ".");
+    if (ec) throw_cannot_write(target_, ec.value());
     committed_ = true;
 }
 
 void write_file(const fs::path& target, std::string_view bytes) {
     AtomicFile file(target);
     const int fd = ::open(file.path().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (fd < 0) throw Error(Errc::io, "Cannot write " + target.string() + ": " + reason(errno) + ".");
+    if (fd < 0) throw_cannot_write(target, errno);
     std::size_t done = 0;
     while (done < bytes.size()) {
         const ssize_t n = ::write(fd, bytes.data() + done, bytes.size() - done);
@@ -61,11 +87,11 @@ void write_file(const fs::path& target, std::string_view bytes) {
         if (n <= 0) {
             const int code = n == 0 ? EIO : errno;
             ::close(fd);
-            throw Error(Errc::io, "Cannot write " + target.string() + ": " + reason(code) + ".");
+            throw_cannot_write(target, code);
         }
         done += std::size_t(n);
     }
-    if (::close(fd) != 0) throw Error(Errc::io, "Cannot write " + target.string() + ": " + reason(errno) + ".");
+    if (::close(fd) != 0) throw_cannot_write(target, errno);
     file.commit();
 }
 

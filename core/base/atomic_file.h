@@ -27,6 +27,10 @@ private:
     bool committed_ = false;
 };
 
+/// @throws always: Error(io) "Cannot write TARGET: reason; nothing was written; what to do."
+/// @param code an errno
+[[noreturn]] void throw_cannot_write(const std::filesystem::path& target, int code);
+
 /// Writes all bytes or nothing. @throws Error(io) naming the file and the reason (disk full, permission)
 void write_file(const std::filesystem::path& target, std::string_view bytes);
 

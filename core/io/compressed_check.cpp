@@ -2,6 +2,8 @@
 
 #include <zlib.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <memory>
 #include <vector>
@@ -30,7 +32,7 @@ public:
 
 void check_compressed(const std::filesystem::path& named, const CompressedData& data, const JobContext& job) {
     std::ifstream in(data.file, std::ios::binary);
-    if (!in) throw Error(Errc::io, "Cannot read " + data.file.string() + ": it cannot be opened.");
+    if (!in) throw Error(Errc::io, "Cannot read " + data.file.string() + ": " + std::strerror(errno) + ".");
     in.seekg(std::streamoff(data.offset));
     constexpr std::size_t k_input = std::size_t(256) << 10, k_output = std::size_t(1) << 20;
     std::vector<char> input(k_input), output(k_output);

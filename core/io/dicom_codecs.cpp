@@ -16,6 +16,8 @@ namespace lacuna::dicom {
 
 namespace {
 
+constexpr std::string_view k_jpeg_ls = "1.2.840.10008.1.2.4.8";  // .80 lossless, .81 near-lossless
+
 [[noreturn]] void throw_damaged(const File& file, const char* what) {
     throw Error(Errc::bad_input,
                 "Cannot read the pixels of " + file.path.string() + ": " + what + "; copy or export the file again.",
@@ -45,8 +47,15 @@ std::span<const std::byte> bytes_of(DcmElement& element) {
 
 /// One compressed or deflated image: decompressed as a whole, so that the data set tells the width that came out.
 void decode_whole(DcmDataset& data, const File& file, int count, const FrameSink& sink, const JobContext& job) {
-    if (data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr).bad())
+    if (data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr).bad()) {
+        // GDCM could, but its CharLS and DCMTK's have functions of one name and different arguments: never both.
+        if (file.syntax_uid.starts_with(k_jpeg_ls) && file.pixels.bits_stored < 8)
+            throw Error(Errc::unsupported,
+                        "Cannot read the pixels of " + file.path.string() + ": JPEG-LS of " +
+                            std::to_string(file.pixels.bits_stored) + " bits is not known; export it uncompressed.",
+                        file.path.string());
         throw_damaged(file, "they are cut short, damaged, or of a precision their decoder does not know");
+    }
     PixelFormat format = file.pixels;
     Uint16 bits = 0;
     if (data.findAndGetUint16(DCM_BitsAllocated, bits).good() && bits != 0) format.bits_allocated = bits;

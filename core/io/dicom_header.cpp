@@ -183,6 +183,31 @@ std::optional<std::int64_t> pixel_value_of(DcmItem& data, const DcmTagKey& tag, 
     return pixels.is_signed ? std::int64_t(Sint16(word)) : std::int64_t(word);
 }
 
+/// The Modality LUT of a data set; null when it has none. @throws std::runtime_error for one that cannot be
+std::shared_ptr<const ModalityLut> modality_lut(DcmItem& data, const PixelFormat& pixels) {
+    DcmItem* item = item_of(data, DCM_ModalityLUTSequence);
+    if (!item || pixels.kind != PixelKind::integer) return nullptr;
+    const auto described = numbers_of(*item, DCM_LUTDescriptor);
+    if (described.size() != 3) throw std::runtime_error(tag_text(DCM_LUTDescriptor) + " has not three values");
+    const std::size_t entries = described[0] == 0 ? 65536 : std::size_t(Uint16(std::int64_t(described[0])));
+    auto lut = std::make_shared<ModalityLut>();
+    // Files name the first stored value as US even where pixels are signed.
+    lut->first = pixels.is_signed ? std::int64_t(Sint16(std::int64_t(described[1]))) : std::int64_t(described[1]);
+    const Uint16* words = nullptr;
+    unsigned long count = 0;
+    if (item->findAndGetUint16Array(DCM_LUTData, words, &count).bad() || !words)
+        throw std::runtime_error(tag_text(DCM_LUTData) + " is missing");
+    if (count >= entries) {
+        lut->values.assign(words, words + entries);
+    } else if (described[2] == 8 && count * 2 >= entries) {  // two entries a word
+        for (std::size_t i = 0; i < entries; ++i) lut->values.push_back(words[i / 2] >> (i % 2 * 8) & 0xFF);
+    } else {
+        throw std::runtime_error(tag_text(DCM_LUTData) + " holds " + std::to_string(count) + " of " +
+                                 std::to_string(entries) + " values");
+    }
+    return lut;
+}
+
 void fill_component(DcmItem& data, File& file) {
     bool is_part = false;
     for (DcmObject* at = data.nextInContainer(nullptr); at; at = data.nextInContainer(at)) {
@@ -252,10 +277,17 @@ void fill_file(DcmItem& data, File& file) {
         const std::int64_t limit = pixel_value_of(data, DCM_PixelPaddingRangeLimit, file.pixels).value_or(*padding);
         file.padding = Padding{std::min(*padding, limit), std::max(*padding, limit)};
     }
+    file.lut = modality_lut(data, file.pixels);
     const int frames = integer_of(data, DCM_NumberOfFrames).value_or(1);
     if (frames < 1) throw std::runtime_error(tag_text(DCM_NumberOfFrames) + " is " + std::to_string(frames));
     check_pixel_extent(file, frames);
     fill_frames(data, file, frames);
+    if (!file.lut) return;
+    const std::string type = text_of(*item_of(data, DCM_ModalityLUTSequence), DCM_ModalityLUTType);
+    for (Frame& frame : file.frames) {
+        frame.has_rescale = true;
+        frame.rescale_type = type;
+    }
 }
 
 HeaderResult read_header(const std::filesystem::path& path) {

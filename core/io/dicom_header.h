@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +16,17 @@ class DcmItem;
 namespace lacuna::dicom {
 
 enum class PixelKind { none, integer, float32, float64 };
+
+/// A table from stored to real values where no line does (Modality LUT, PS3.3 C.11.1); constant beyond its ends.
+struct ModalityLut {
+    std::int64_t first = 0;             ///< stored value of the first entry
+    std::vector<std::uint16_t> values;  ///< at least one
+
+    double operator()(double stored) const {
+        const double at = std::clamp(stored - double(first), 0.0, double(values.size() - 1));
+        return values[std::size_t(at)];
+    }
+};
 
 /// How the samples of an image are stored (PS3.3 C.7.6.3).
 struct PixelFormat {
@@ -61,7 +74,8 @@ struct File {
     int series_number = 0;
     PixelFormat pixels;
     std::optional<Padding> padding;
-    bool direct = false;  ///< pixels lie uncompressed in the file, from pixel_offset on
+    std::shared_ptr<const ModalityLut> lut;  ///< replaces the frames' rescale
+    bool direct = false;                     ///< pixels lie uncompressed in the file, from pixel_offset on
     bool big_endian = false;
     std::uint64_t pixel_offset = 0, pixel_bytes = 0, file_bytes = 0;
     std::vector<std::pair<std::string, std::string>> component;
@@ -74,7 +88,7 @@ struct File {
 };
 
 /// What a file turned out to be.
-enum class FileClass { not_dicom, no_image, image, unreadable };
+enum class FileClass { not_dicom, no_image, image, unreadable, locked };
 
 struct HeaderResult {
     FileClass what = FileClass::not_dicom;

@@ -66,7 +66,8 @@ public:
         pixels_ = format.pixels();
         for (const std::size_t s : order) {
             const PixelFormat& each = scan.file_of(scan.slices[s]).pixels;
-            wide_ = wide_ || each.kind != PixelKind::integer || each.bits_allocated > 16;
+            wide_ = wide_ || each.kind != PixelKind::integer || each.bits_allocated > 16 ||
+                    scan.file_of(scan.slices[s]).lut;
             word_bytes_ = std::max(word_bytes_, each.bits_allocated > 8 ? 2 : 1);
         }
         if (wide_) word_bytes_ = 4;
@@ -196,12 +197,14 @@ private:
         double lo = std::numeric_limits<double>::infinity(), hi = -lo;
         const int unused = std::is_floating_point_v<In> ? 0 : format.bits_allocated - format.bits_stored;
         const int low = format.high_bit + 1 - format.bits_stored;
+        const double slope = slice(i).slope, intercept = slice(i).intercept;
+        const ModalityLut* const lut = scan_.file_of(slice(i)).lut.get();
         for (std::int64_t p = 0; p < pixels_; ++p) {
             In stored;
             std::memcpy(&stored, samples.data() + std::size_t(p) * sizeof(In), sizeof(In));
             if constexpr (std::is_integral_v<In>)
                 if (unused > 0) stored = In(In(std::make_unsigned_t<In>(stored) << (unused - low)) >> unused);
-            const double value = double(stored) * slice(i).slope + slice(i).intercept;
+            const double value = lut ? (*lut)(double(stored)) : double(stored) * slope + intercept;
             out[p] = float(value);
             if (!std::isfinite(value)) {
                 state.whole = false;

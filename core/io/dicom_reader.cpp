@@ -1,6 +1,8 @@
 #include "core/io/dicom_reader.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -24,26 +26,43 @@ using namespace dicom;
 constexpr double k_untagged_padding_hu = -1500;  // no tissue, no air: CT values below were never measured
 constexpr std::size_t k_most_named = 8;
 
+/// What lies under an input.
+struct Listing {
+    std::vector<fs::path> files;
+    std::vector<std::string> locked;  ///< sub-folders that may not be opened
+};
+
+bool may_be_listed(const fs::path& folder) {
+    return ::faccessat(AT_FDCWD, folder.c_str(), R_OK | X_OK, AT_EACCESS) == 0;
+}
+
 /// Regular files of a folder, sub-folders included, in an order that does not depend on the file system.
-std::vector<fs::path> files_under(const fs::path& input, const JobContext& job) {
+Listing files_under(const fs::path& input, const JobContext& job) {
     std::error_code error;
-    if (fs::is_regular_file(input, error)) return {input};
+    if (fs::is_regular_file(input, error)) return {{input}, {}};
     if (!fs::is_directory(input, error))
         throw Error(Errc::bad_input, "There is no file or folder " + input.string() + "; check the name.",
                     input.string());
-    std::vector<fs::path> files;
+    if (!may_be_listed(input))
+        throw Error(Errc::io,
+                    "Cannot list the folder " + input.string() + ": permission denied; ask for the right to read it.",
+                    input.string());
+    Listing found;
     // Links to folders are not followed: they could lead back.
     fs::recursive_directory_iterator at(input, fs::directory_options::skip_permission_denied, error), end;
     for (; !error && at != end; at.increment(error)) {
         job.check();
         std::error_code ignored;
-        if (at->is_regular_file(ignored) && at->file_size(ignored) > 0) files.push_back(at->path());
+        if (at->is_regular_file(ignored) && at->file_size(ignored) > 0) found.files.push_back(at->path());
+        if (at->is_directory(ignored) && !at->is_symlink(ignored) && !may_be_listed(at->path()))
+            found.locked.push_back(at->path().filename().string());
     }
     if (error)
         throw Error(Errc::io, "Cannot list the folder " + input.string() + ": " + error.message() + ".",
                     input.string());
-    std::sort(files.begin(), files.end());
-    return files;
+    std::sort(found.files.begin(), found.files.end());
+    std::sort(found.locked.begin(), found.locked.end());
+    return found;
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -67,10 +86,16 @@ SeriesEntry make_entry(SeriesScan scan, int number) {
 }
 
 [[noreturn]] void throw_nothing_found(const fs::path& input, std::size_t files,
-                                      const std::vector<std::string>& unreadable, std::size_t without_image) {
+                                      const std::vector<std::string>& unreadable,
+                                      const std::vector<std::string>& locked, std::size_t without_image) {
     const std::string where = input.string();
     std::error_code ignored;
     const bool folder = fs::is_directory(input, ignored);
+    if (!locked.empty())
+        throw Error(Errc::io,
+                    "No DICOM image could be opened under " + where + ": permission denied for " + listed(locked) +
+                        "; ask for the right to read it.",
+                    where);
     if (folder && files == 0)
         throw Error(Errc::bad_input, "The folder " + where + " is empty; name one that holds DICOM images.", where);
     if (!unreadable.empty())
@@ -86,7 +111,8 @@ SeriesEntry make_entry(SeriesScan scan, int number) {
                 where);
 }
 
-std::vector<SeriesEntry> scan_files(const fs::path& input, const std::vector<fs::path>& paths, const JobContext& job) {
+std::vector<SeriesEntry> scan_files(const fs::path& input, const Listing& listing, const JobContext& job) {
+    const std::vector<fs::path>& paths = listing.files;
     std::vector<HeaderResult> headers(paths.size());
     parallel_for(
         0, std::int64_t(paths.size()),
@@ -95,23 +121,25 @@ std::vector<SeriesEntry> scan_files(const fs::path& input, const std::vector<fs:
                 headers[std::size_t(i)] = read_header(paths[std::size_t(i)]);
             } catch (const Error& error) {
                 if (error.code() != Errc::io || paths.size() == 1) throw;
-                headers[std::size_t(i)].what = FileClass::unreadable;  // one locked file does not hide a folder
+                headers[std::size_t(i)].what = FileClass::locked;  // one such file does not hide a folder
                 headers[std::size_t(i)].file.path = paths[std::size_t(i)];
             }
         },
         job);
     std::vector<File> images;
-    std::vector<std::string> unreadable;
+    std::vector<std::string> unreadable, locked = listing.locked;
     std::size_t without_image = 0;
     for (HeaderResult& header : headers) {
         if (header.what == FileClass::image) images.push_back(std::move(header.file));
         if (header.what == FileClass::unreadable) unreadable.push_back(header.file.name());
+        if (header.what == FileClass::locked) locked.push_back(header.file.name());
         without_image += header.what == FileClass::no_image;
     }
-    if (images.empty()) throw_nothing_found(input, paths.size(), unreadable, without_image);
+    if (images.empty()) throw_nothing_found(input, paths.size(), unreadable, locked, without_image);
     std::vector<SeriesEntry> entries;
     for (SeriesScan& scan : group_series(std::move(images))) {
         scan.unreadable = unreadable;
+        scan.locked = locked;
         entries.push_back(make_entry(std::move(scan), int(entries.size()) + 1));
     }
     return entries;
@@ -121,7 +149,7 @@ std::vector<SeriesEntry> scan_files(const fs::path& input, const std::vector<fs:
 std::shared_ptr<const SeriesScan> scan_of(const SeriesEntry& series, const JobContext& job) {
     if (series.scan) return series.scan;
     if (series.files.empty()) throw Error(Errc::bad_input, "The series names no files.");
-    auto found = scan_files(series.files.front().parent_path(), series.files, job);
+    auto found = scan_files(series.files.front().parent_path(), {series.files, {}}, job);
     const auto largest =
         std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.slices < b.slices; });
     return largest->scan;
@@ -173,6 +201,10 @@ void add_warnings(std::vector<Warning>& warnings, const SeriesScan& scan, const 
     if (!scan.unreadable.empty())
         warnings.push_back({fmt::format("{} DICOM files with a damaged header are left out: {}.",
                                         scan.unreadable.size(), listed(scan.unreadable))});
+    if (!scan.locked.empty())
+        warnings.push_back(
+            {fmt::format("{} files or folders may not be opened (permission denied) and are left out: {}.",
+                         scan.locked.size(), listed(scan.locked))});
     if (loaded.padding_voxels > 0)
         warnings.push_back(
             {fmt::format("{} voxels are padding, not measured; they hold the smallest measured value {:g}.",

@@ -13,6 +13,7 @@ struct SeriesScan {
     std::vector<Frame> slices;            ///< Frame::file indexes `files`
     std::vector<std::string> set_aside;   ///< localizers and odd images that came with the series, by file name
     std::vector<std::string> unreadable;  ///< files of the folder that are DICOM but could not be parsed, by name
+    std::vector<std::string> locked;      ///< files and sub-folders that may not be opened, by name
     std::string uid;                      ///< unique in the list: SeriesInstanceUID, "#2", "#3" ... where it was split
 
     const File& file_of(const Frame& slice) const { return files[std::size_t(slice.file)]; }

@@ -37,8 +37,8 @@ std::string fresh_uid(const char* root) {
 }
 
 [[noreturn]] void fail(const fs::path& folder, const std::string& reason) {
-    throw Error(Errc::io,
-                "Cannot write the DICOM series " + folder.string() + ": " + reason + "; nothing was written.");
+    throw Error(Errc::io, "Cannot write the DICOM series " + folder.string() + ": " + reason +
+                              "; nothing was written; check the space and the permissions there, or write elsewhere.");
 }
 
 Storage storage_of_floats(const Volume& volume, const fs::path& folder) {
@@ -179,8 +179,7 @@ void write_slice(const Volume& volume, const Storage& storage, const SeriesIds& 
     const std::vector<Uint16> words = slice_words(volume, storage, slice);
     set.putAndInsertUint16Array(DCM_PixelData, words.data(), static_cast<unsigned long>(words.size()));
     const OFCondition saved = format.saveFile(file.c_str(), EXS_LittleEndianExplicit);
-    if (saved.bad()) fail(folder, saved.text());
-    if (!ends_with(file, words)) fail(folder, "the disk is full or the file size is limited");
+    if (saved.bad() || !ends_with(file, words)) fail(folder, "the disk is full or the file size is limited");
 }
 
 /// A folder beside its target that is renamed to it, or removed.

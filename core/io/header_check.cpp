@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -32,7 +33,7 @@ constexpr std::uint64_t k_deflate_ratio = 1040;
 
 std::string head_of(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
-    if (!in) throw Error(Errc::io, "Cannot read " + file.string() + ": it cannot be opened.");
+    if (!in) throw Error(Errc::io, "Cannot read " + file.string() + ": " + std::strerror(errno) + ".");
     std::string text(k_header_limit, '\0');
     in.read(text.data(), std::streamsize(text.size()));
     text.resize(std::size_t(in.gcount()));
@@ -245,7 +246,7 @@ T swapped(T value) {
 nifti_1_header nifti_header(const fs::path& file) {
     nifti_1_header h{};
     const std::unique_ptr<gzFile_s, int (*)(gzFile)> in(gzopen(file.c_str(), "rb"), gzclose);
-    if (!in) throw Error(Errc::io, "Cannot read " + file.string() + ": it cannot be opened.");
+    if (!in) throw Error(Errc::io, "Cannot read " + file.string() + ": " + std::strerror(errno) + ".");
     if (gzread(in.get(), &h, sizeof h) != int(sizeof h)) refuse(file, "it is shorter than a NIfTI header of 348 bytes");
     if (h.sizeof_hdr == 540 || swapped(h.sizeof_hdr) == 540)
         throw Error(Errc::unsupported, "Cannot read " + file.string() + ": it is NIfTI-2; convert it to NIfTI-1.");

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -24,10 +23,7 @@ OutputFile::~OutputFile() {
     if (fd_ >= 0) ::close(fd_);
 }
 
-void OutputFile::fail(int code) const {
-    throw Error(Errc::io, "Cannot write " + target_.string() + ": " + std::generic_category().message(code) +
-                              "; nothing was written.");
-}
+void OutputFile::fail(int code) const { throw_cannot_write(target_, code); }
 
 void OutputFile::write(std::span<const std::byte> bytes) {
     while (!bytes.empty()) {

@@ -1,5 +1,8 @@
 #include "core/io/volume_reader.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <functional>
@@ -47,8 +50,7 @@ std::string ending_of(const fs::path& file) {
     return lower_case(file.extension().string());
 }
 
-FileKind kind_of(const fs::path& file, const OpenOptions& options) {
-    if (!options.raw.empty()) return FileKind::raw;
+FileKind kind_by_name(const fs::path& file) {
     const std::string ending = ending_of(file);
     static const std::pair<std::string_view, FileKind> k_endings[] = {
         {".mhd", FileKind::meta_image}, {".mha", FileKind::meta_image}, {".nrrd", FileKind::nrrd},
@@ -59,6 +61,12 @@ FileKind kind_of(const fs::path& file, const OpenOptions& options) {
     FileKind kind = FileKind::dicom;
     for (const auto& [text, k] : k_endings)
         if (ending == text) kind = k;
+    return kind;
+}
+
+FileKind kind_of(const fs::path& file, const OpenOptions& options) {
+    if (!options.raw.empty()) return FileKind::raw;
+    const FileKind kind = kind_by_name(file);
     // Scanners name DICOM files as they please, some of them .img or .dat.
     const bool doubtful = kind == FileKind::raw || kind == FileKind::dat;
     if (doubtful && looks_like_dicom(file)) return FileKind::dicom;
@@ -111,11 +119,16 @@ ItkFormat itk_format(FileKind kind) {
 
 /// A DICOM file that the extension does not tell must be one by content.
 void require_dicom(const fs::path& file) {
-    if (!looks_like_dicom(file))
-        throw Error(Errc::bad_input,
-                    "Cannot read " + file.string() +
-                        ": it is neither DICOM nor named .mhd .mha .nrrd .nhdr .nii .nii.gz .tif .tiff "
-                        ".raw .img .vol .dat or .vgi; give --raw if it is a raw volume.");
+    if (looks_like_dicom(file)) return;
+    std::error_code ec;
+    if (fs::is_regular_file(file, ec) && fs::file_size(file, ec) == 0)
+        throw Error(Errc::bad_input, "Cannot read " + file.string() + ": it is empty (0 bytes); copy it again.");
+    if (lower_case(file.extension().string()) == ".gz")
+        throw Error(Errc::unsupported,
+                    "Cannot read " + file.string() + ": of packed files only .nii.gz is read; unpack it first.");
+    throw Error(Errc::bad_input, "Cannot read " + file.string() +
+                                     ": it is neither DICOM nor named .mhd .mha .nrrd .nhdr .nii .nii.gz .tif .tiff "
+                                     ".raw .img .vol .dat or .vgi; give --raw if it is a raw volume.");
 }
 
 std::vector<fs::path> tiff_files(const fs::path& path) {
@@ -167,12 +180,30 @@ const SeriesEntry& chosen_series(const std::string& input, const std::vector<Ser
                 "There is no series '" + wanted + "' in " + input + "; it holds:\n" + format_series(found));
 }
 
+/// Names of files right in the folder that are volumes of their own, at most three.
+std::string volume_files_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    std::error_code ec;
+    for (fs::directory_iterator at(folder, ec), end; !ec && at != end; at.increment(ec))
+        if (at->is_regular_file(ec) && kind_by_name(at->path()) != FileKind::dicom)
+            names.push_back(at->path().filename().string());
+    std::sort(names.begin(), names.end());
+    std::string text;
+    for (std::size_t i = 0; i < std::min<std::size_t>(3, names.size()); ++i) text += (i ? ", " : "") + names[i];
+    return names.size() > 3 ? text + ", ..." : text;
+}
+
 /// The DICOM series under a folder; none if it holds a TIFF stack instead, and an Error if it holds neither.
 std::vector<SeriesEntry> dicom_in_folder(const fs::path& folder, const JobContext& job) {
     try {
         return find_dicom_series(folder, job);
     } catch (const Error& e) {
-        if (e.code() == Errc::cancelled || tiff_stack(folder).empty()) throw;
+        if (e.code() != Errc::bad_input) throw;
+        if (!tiff_stack(folder).empty()) return {};
+        if (const std::string names = volume_files_in(folder); !names.empty())
+            throw Error(Errc::bad_input,
+                        "The folder " + folder.string() + " holds no DICOM images but " + names + "; name the file.");
+        throw;
     }
     return {};
 }
@@ -212,6 +243,11 @@ void warn_of_nan(Volume& volume, const JobContext& job) {
         volume.warnings.push_back({std::to_string(count) + " voxels are not a finite number (NaN or infinite).", 0});
 }
 
+std::string spacing_text(const Volume& volume) {
+    const glm::dvec3 s = volume.geometry().spacing;
+    return fmt::format("{:.6g} x {:.6g} x {:.6g}", s.x, s.y, s.z);
+}
+
 /// The same voxels on a grid of another spacing.
 Volume with_spacing(const Volume& volume, const glm::dvec3& spacing_mm, const std::string& what) {
     GridGeometry geometry = volume.geometry();
@@ -221,8 +257,12 @@ Volume with_spacing(const Volume& volume, const glm::dvec3& spacing_mm, const st
     Volume out(geometry, volume.type(), volume.buffer());
     out.name = volume.name;
     out.unit = volume.unit;
+    out.dicom = volume.dicom;
     for (const Warning& w : volume.warnings)
         if (!w.text.starts_with("The voxel spacing is not stated")) out.warnings.push_back(w);
+    if (out.dicom)
+        out.warnings.push_back(
+            {"The spacing was given by hand; the DICOM files name " + spacing_text(volume) + " mm."});
     return out;
 }
 
@@ -268,6 +308,9 @@ std::vector<SeriesEntry> list_series(const std::string& input, const JobContext&
 Volume open_volume(const std::string& input, const OpenOptions& options, const JobContext& job) {
     if (is_sample(input)) {
         const auto [name, sample] = sample_call(input);
+        if (!options.raw.empty() || options.spacing_mm || (!options.series.empty() && options.series != "1"))
+            throw Error(Errc::bad_usage, "A built-in sample such as " + input +
+                                             " is made with its own grid; leave out --raw, --spacing and --series.");
         Volume volume = make_sample(name, sample, job).volume;
         if (volume.name.empty()) volume.name = input;
         return volume;
@@ -282,7 +325,7 @@ Volume open_volume(const std::string& input, const OpenOptions& options, const J
         if (!found.empty()) {
             Volume volume = read_dicom_series(chosen_series(input, found, options.series), options, job.part(0.2, 1));
             warn_of_nan(volume, {job.stop, nullptr});
-            return volume;
+            return options.spacing_mm ? with_spacing(volume, *options.spacing_mm, input) : volume;
         }
         if (!folder) throw Error(Errc::bad_input, "Cannot read " + input + ": this DICOM file holds no image.");
         kind = FileKind::tiff;

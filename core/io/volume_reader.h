@@ -30,7 +30,7 @@ struct OpenOptions {
     std::string raw;                         ///< the contract's --raw text; empty: none
     std::string series;                      ///< --series N|UID; empty: none
     bool keep_gaps = false;                  ///< refuse a series with missing slices instead of interpolating them
-    std::optional<glm::dvec3> spacing_mm{};  ///< replaces the spacing of a file (not of DICOM), e.g. of a TIFF stack
+    std::optional<glm::dvec3> spacing_mm{};  ///< replaces the input's own spacing; of DICOM with a warning
 };
 
 /// More than one volume lies under the input and none was chosen. Exit status 2; the message lists them.

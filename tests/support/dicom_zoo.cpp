@@ -73,6 +73,18 @@ void put_pixel_value(DcmItem& item, const DcmTagKey& key, int value, bool is_sig
         check(item.putAndInsertUint16(DcmTag(key, EVR_US), Uint16(value)), "put pixel value");
 }
 
+void put_modality_lut(DcmDataset& data, const ZooSlice& s) {
+    if (s.modality_lut.empty()) return;
+    DcmItem* item = nullptr;
+    check(data.findOrCreateSequenceItem(DCM_ModalityLUTSequence, item), "put table");
+    const std::size_t claims = s.modality_lut_claims < 0 ? s.modality_lut.size() : std::size_t(s.modality_lut_claims);
+    const Uint16 described[] = {Uint16(claims), Uint16(s.modality_lut_first), 16};
+    const std::vector<Uint16> words(s.modality_lut.begin(), s.modality_lut.end());
+    check(item->putAndInsertUint16Array(DcmTag(DCM_LUTDescriptor, EVR_US), described, 3), "put descriptor");
+    check(item->putAndInsertUint16Array(DcmTag(DCM_LUTData, EVR_US), words.data(), words.size()), "put table");
+    put(*item, DCM_ModalityLUTType, "OD");
+}
+
 void put_header(DcmDataset& data, const ZooSlice& s) {
     static std::atomic<int> serial{0};
     put(data, DCM_SOPClassUID, UID_CTImageStorage);
@@ -96,6 +108,7 @@ void put_header(DcmDataset& data, const ZooSlice& s) {
     put_word(data, DCM_PixelRepresentation, s.is_signed);
     if (s.padding) put_pixel_value(data, DCM_PixelPaddingValue, *s.padding, s.is_signed);
     if (s.padding_limit) put_pixel_value(data, DCM_PixelPaddingRangeLimit, *s.padding_limit, s.is_signed);
+    put_modality_lut(data, s);
     for (const auto& [tag, value] : s.extra) put(data, DcmTag(Uint16(tag.first), Uint16(tag.second)), value);
 }
 

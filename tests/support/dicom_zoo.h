@@ -29,7 +29,9 @@ struct ZooSlice {
     std::optional<int> acquisition, padding, padding_limit;
     std::function<int(int x, int y)> stored = [](int x, int y) { return 100 + 10 * y + x; };
     ZooSyntax syntax = ZooSyntax::explicit_le;
-    bool with_meta = true;                                                     ///< false: no preamble and no meta group
+    std::vector<int> modality_lut;  ///< not empty: stored values from modality_lut_first on mean these
+    int modality_lut_first = 0, modality_lut_claims = -1;  ///< entries the descriptor names; -1: as many as there are
+    bool with_meta = true;                                 ///< false: no preamble and no meta group
     std::vector<std::pair<std::pair<unsigned, unsigned>, std::string>> extra;  ///< more text elements, by tag
 };
 
