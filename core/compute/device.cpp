@@ -1,6 +1,11 @@
 #include "core/compute/device.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <mutex>
 
@@ -44,8 +49,30 @@ DeviceInfo describe(const cl::Platform& platform, const cl::Device& device, int 
     return info;
 }
 
+/// PoCL lists no device at all where it cannot make its cache folder, as for a service without a home. There it gets
+/// one among the temporary files.
+void give_pocl_a_cache() {
+    namespace fs = std::filesystem;
+    if (std::getenv("POCL_CACHE_DIR")) return;
+    const char *cache = std::getenv("XDG_CACHE_HOME"), *home = std::getenv("HOME");
+    std::error_code ec;
+    if (cache || home) {
+        const fs::path wanted = (cache ? fs::path(cache) : fs::path(home) / ".cache") / "pocl" / "kcache";
+        fs::create_directories(wanted, ec);
+        if (::access(wanted.c_str(), W_OK | X_OK) == 0) return;
+    }
+    const fs::path own = fs::temp_directory_path(ec) / ("lacuna-pocl-" + std::to_string(::geteuid()));
+    ::mkdir(own.c_str(), 0700);
+    struct stat status {};
+    // A folder somebody else put there must not hand us binaries.
+    if (::lstat(own.c_str(), &status) != 0 || !S_ISDIR(status.st_mode) || status.st_uid != ::geteuid()) return;
+    ::setenv("POCL_CACHE_DIR", own.c_str(), 0);
+}
+
 /// Every device of every platform. A loader without any platform says so by an error, some by an empty list.
 std::vector<FoundDevice> find_devices() {
+    static std::once_flag prepared;
+    std::call_once(prepared, give_pocl_a_cache);
     std::vector<cl::Platform> platforms;
     try {
         cl::Platform::get(&platforms);
@@ -109,10 +136,10 @@ std::string lower(std::string text) {
 }
 
 std::string names_of(const std::vector<FoundDevice>& found) {
-    if (found.empty()) return "there is no OpenCL device here";
-    std::string names = "there are";
+    if (found.empty()) return "there is none here";
+    std::string names = "known are";
     for (const FoundDevice& one : found)
-        names += (one.info.index ? ", " : " ") + std::to_string(one.info.index) + ": " + one.info.name;
+        names += (one.info.index ? ", " : " ") + std::to_string(one.info.index) + " (" + one.info.name + ")";
     return names;
 }
 
@@ -123,7 +150,7 @@ FoundDevice& chosen_device(std::vector<FoundDevice>& found, const std::string& c
     if (!number)
         for (FoundDevice& one : found)
             if (lower(one.info.name).find(lower(choice)) != std::string::npos) return one;
-    throw Error(Errc::bad_usage, "There is no OpenCL device \"" + choice + "\": " + names_of(found) + ".", choice);
+    throw Error(Errc::bad_usage, "There is no OpenCL device \"" + choice + "\"; " + names_of(found) + ".", choice);
 }
 
 /// The fastest usable device; nullptr when none is. With one candidate there is nothing to rank.
@@ -142,7 +169,7 @@ void say_once_that_none_is_usable(const std::vector<FoundDevice>& found) {
     std::call_once(said, [&] {
         std::string line = "No OpenCL device can be used";
         for (const FoundDevice& one : found) line += "; " + one.info.name + ": " + one.info.fault;
-        if (found.empty()) line += ": no platform is installed";
+        if (found.empty()) line += ": no platform is installed or none could start";
         log(LogLevel::warning, line + ". Pictures come from the slower built-in renderer.");
     });
 }
