@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "app/command.h"
-#include "app/device_list.h"
 #include "app/render_options.h"
 #include "app/render_stats.h"
 #include "core/base/atomic_file.h"
+#include "core/compute/device_list.h"
 #include "core/io/image_writer.h"
 #include "core/render/reference_renderer.h"
 
@@ -47,7 +47,9 @@ Frame render_frame(Engine& engine, const Scene& scene, const Plan& plan, bool me
 void verify_frame(const Scene& scene, const Plan& plan, const Frame& frame, const JobContext& job,
                   RenderRecord& record) {
     const Plan truth = reference_plan(scene, plan);
-    ImageError error = compare(frame, render_reference(scene, truth, job), scene.background);
+    Frame expected = render_reference(scene, truth, job);
+    apply_effects(scene, expected, job);
+    ImageError error = compare(frame, expected, scene.background);
     error.reference = fmt::format("reference renderer, structure none, ert {:g}, step {:g}, sampler {}", truth.ert,
                                   truth.step, name_of(truth.sampler));
     if (!record.error || !(error.max <= record.error->max)) record.error = error;
@@ -67,7 +69,8 @@ std::string summary(const RenderOptions& options, const Scene& scene, const Plan
 
 int run_render(RenderOptions& options, Console& console) {
     if (options.device == "list") {
-        console.print(device_table(list_devices(true, console.job("Testing"))));
+        const std::vector<DeviceInfo> devices = list_devices(true, console.job("Testing"));
+        console.print(describe_devices(devices, fastest_index(devices)));
         return 0;
     }
     options.parse();
