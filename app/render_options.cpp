@@ -61,6 +61,8 @@ void RenderOptions::add_to(CLI::App& command) {
     word("--cells", words_.cells, "voxels a macro-cell edge of pc, acd, eacd: 4, 8 (default), 16; 1: an entry a voxel");
     word("--homogeneity", words_.homogeneity, "T[,A]: opacities (octree: values) and angles that count as equal");
     word("--ert", words_.ert, "stop when opacity exceeds 1-E; 0: never (default 0.002)");
+    words("--effects", words_.effects,
+          "name[=v[,v..]],..: ssao, ao, dof, gamma, tonemap, brightness, contrast, in this order (docs/effects.md)");
     word("--turntable", words_.turntable, "N frames over 360 degrees: OUT-000.png ...");
     command.add_flag("--verify", verify, "also render the reference and report the error");
     command.add_option("--stats", stats, "write times, counters and errors as JSON");
@@ -188,6 +190,9 @@ void RenderOptions::parse() {
     parse_camera();
     parse_plan();
     for (const std::string& text : words_.cuts) cuts_.push_back(parse_cut(text));
+    for (const std::string& text : words_.effects)
+        for (Effect& effect : for_flag("--effects", [&] { return parse_effects(text); }))
+            effects_.push_back(std::move(effect));
     check_combinations();
     if (words_.tf) tf_ = parse_tf("--tf", *words_.tf);
     for (const std::string& text : words_.ranges) ranges_.push_back(parse_segmentation_range(text));
@@ -200,6 +205,7 @@ Scene RenderOptions::scene(const Volume& volume, const VolumeStatistics& statist
     scene.camera = camera_;
     scene.size = size_;
     scene.cuts = cuts_;
+    scene.effects = effects_;
     if (iso_) scene.iso = *iso_;
     if (lmip_threshold_) scene.lmip_threshold = *lmip_threshold_;
     if (window_) scene.window = *window_;

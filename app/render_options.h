@@ -48,7 +48,7 @@ private:
         std::optional<std::string> mode, iso, tf, window, shading, lmip_threshold, size, azimuth, elevation, roll, zoom,
             center, perspective, step, sampler, gradient, refine, refine_steps, structure, cells, homogeneity, ert,
             turntable;
-        std::vector<std::string> ranges, cuts;
+        std::vector<std::string> ranges, cuts, effects;
     };
 
     static TfChoice parse_tf(const std::string& flag, const std::string& text);
@@ -67,6 +67,7 @@ private:
     std::optional<TfChoice> tf_;
     std::vector<Range> ranges_;
     std::vector<CuttingPlane> cuts_;
+    std::vector<Effect> effects_;
     Camera camera_;
     glm::ivec2 size_{512, 512};
     std::optional<double> homogeneity_, homogeneity_angle_;

@@ -41,6 +41,9 @@ ordered_json view_json(const Scene& scene) {
     view["cuts"] = cuts;
     view["shading"] = std::string(name_of(scene.shading));
     view["window"] = {scene.window.lo, scene.window.hi};
+    view["effects"] = ordered_json::array();
+    for (const Effect& effect : scene.effects)
+        view["effects"].push_back({{"name", std::string(name_of(effect.kind))}, {"values", effect.values}});
     return view;
 }
 

@@ -34,6 +34,11 @@ RenderResult Engine::render(const Scene& scene, const Plan& plan, const JobConte
         result.frame = render_reference(scene, plan, job);
         result.frame.ms = watch.ms();
     }
+    if (!scene.effects.empty()) {
+        const Stopwatch effects_watch;
+        apply_effects(scene, result.frame, job);
+        result.frame.ms += effects_watch.ms();
+    }
     for (const Highlight& highlight : scene.highlights) draw_highlight(scene, highlight, result.frame, job);
     return result;
 }

@@ -130,6 +130,7 @@ void check(const Scene& scene) {
     check_color(scene.surface_color, "surface");
     check_color(scene.background, "background");
     check_highlights(scene.highlights);
+    check(scene.effects, scene.mode);
 }
 
 }  // namespace lacuna

@@ -8,11 +8,12 @@
 
 #include "core/classify/classification.h"
 #include "core/render/camera.h"
+#include "core/render/effects.h"
 #include "core/volume/volume.h"
 
 namespace lacuna {
 
-enum class ViewMode { iso, ea, mip, lmip, minip, mean, shear_warp };
+enum class ViewMode : int { iso, ea, mip, lmip, minip, mean, shear_warp };
 enum class Shading { none, lambert, phong };
 
 /// Keeps the half-space normal . p + offset >= 0 (mm). The normal need not have unit length.
@@ -73,6 +74,7 @@ struct Scene {
     double lmip_threshold = 0;
     std::vector<Highlight> highlights;
     glm::dvec3 background{0.0};
+    std::vector<Effect> effects;                    ///< applied to the finished frame in this order, before highlights
 
     static constexpr std::size_t k_max_cuts = 8;
 };
