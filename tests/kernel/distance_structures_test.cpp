@@ -127,6 +127,92 @@ INSTANTIATE_TEST_SUITE_P(Kernels, Distances, testing::ValuesIn(make_cases()), []
     return name;
 });
 
+TEST(VoxelDistances, ChangeNothingAtThresholdZero) {
+    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    for (const Case& c : make_cases()) {
+        const bool pc_only = !c.name.starts_with("odd_u8_");
+        if (c.scene.mode == ViewMode::mip || (pc_only && c.scene.mode != ViewMode::ea)) continue;
+        if (c.scene.mode != ViewMode::ea && c.scene.mode != ViewMode::iso) continue;
+        const Frame plain = renderer(16).render(c.scene, plan_for(Structure::none, 1), {}, false).frame;
+        for (const Structure structure : {Structure::pc, Structure::acd, Structure::eacd}) {
+            if (pc_only && structure != Structure::pc) continue;
+            const Frame frame = renderer(16).render(c.scene, plan_for(structure, 1), {}, false).frame;
+            EXPECT_LE(share_over(frame, plain, 0.5), 1e-4) << c.name << ' ' << name_of(structure);
+            EXPECT_LE(share_over(frame, plain, 1.0), 0) << c.name << ' ' << name_of(structure);
+        }
+    }
+}
+
+/// A part of two plateaus that both show.
+Scene plateaus() {
+    GridGeometry grid;
+    grid.size = {48, 48, 48};
+    const Volume steps = make_volume<std::uint8_t>(grid, [](std::span<std::uint8_t> voxels) {
+        for (std::size_t i = 0; i < voxels.size(); ++i) {
+            const int x = int(i % 48), y = int(i / 48 % 48), z = int(i / 2304);
+            const bool part = x > 6 && x < 40 && y > 8 && y < 41 && z > 5 && z < 44;
+            voxels[i] = std::uint8_t(!part ? 0 : x < 24 ? 100 : 160 + (x + y + z) % 3);
+        }
+    });
+    Scene scene = test::small_scene(steps, ViewMode::ea, {96, 96});
+    scene.classification.tf = {"t", 1.0, {{50, {1, 0.5, 0}, 0}, {90, {1, 1, 0}, 0.02}, {255, {0, 1, 1}, 0.06}}, {}};
+    return scene;
+}
+
+TEST(VoxelDistances, RunsOfEqualSamplesAreTakenAtOnce) {
+    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    Scene scene = plateaus();
+    for (const Shading shading : {Shading::none, Shading::phong}) {
+        scene.shading = shading;
+        const Frame plain = renderer(16).render(scene, plan_for(Structure::none, 1), {}, true).frame;
+        const Frame pc = renderer(16).render(scene, plan_for(Structure::pc, 1), {}, true).frame;
+        const Frame eacd = renderer(16).render(scene, plan_for(Structure::eacd, 1), {}, true).frame;
+        EXPECT_LE(share_over(pc, plain, 1.0), 0);
+        EXPECT_LE(share_over(eacd, plain, 1.0), 0);
+        EXPECT_LT(double(pc.counters.samples), 0.75 * double(plain.counters.samples));
+        EXPECT_LT(eacd.counters.structure_reads, pc.counters.structure_reads);
+    }
+}
+
+TEST(VoxelDistances, TheErrorGrowsWithTheThreshold) {
+    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    Scene scene = plateaus();
+    scene.shading = Shading::none;
+    const Frame plain = renderer(16).render(scene, plan_for(Structure::none, 1), {}, true).frame;
+    double before = 0;
+    std::uint64_t samples = plain.counters.samples;
+    for (const double threshold : {0.0, 0.005, 0.02, 0.08, 0.32}) {
+        Plan plan = plan_for(Structure::pc, 1);
+        plan.homogeneity = threshold;
+        const Frame frame = renderer(16).render(scene, plan, {}, true).frame;
+        const double error = mean_difference(frame, plain);
+        EXPECT_GE(error, before - 0.02) << threshold;
+        EXPECT_LE(frame.counters.samples, samples) << threshold;
+        EXPECT_LE(error, 255 * std::max(threshold, 1e-4) * 2);
+        before = error;
+        samples = frame.counters.samples;
+    }
+    EXPECT_GT(before, 0);
+}
+
+TEST(VoxelDistances, TooLargeIsRefusedInOneSentence) {
+    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    const double limit = std::min(
+        {double(device()->info().max_allocation_bytes), 0.5 * double(device()->info().memory_bytes), 2147483647.0});
+    if (limit > 16.0 * 1300 * 1300 * 80) GTEST_SKIP() << "skipped: the device offers more than this test may take";
+    GridGeometry grid;
+    grid.size = {1300, 1300, 80};
+    const Volume flat = make_volume<std::uint8_t>(grid, [](std::span<std::uint8_t>) {});
+    OpenClRenderer own(device());
+    try {
+        own.render(test::small_scene(flat, ViewMode::ea), plan_for(Structure::eacd, 1), {}, false);
+        FAIL() << "held all the same";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Errc::out_of_memory);
+        EXPECT_NE(std::string(error.what()).find("eacd"), std::string::npos);
+    }
+}
+
 /// A few balls in a large empty volume.
 const Volume& sparse_volume() {
     static const Volume balls = make_sample("spheres", {.size = 96}).volume;
