@@ -41,11 +41,13 @@ void OutputFile::commit() {
 }
 
 void write_plain(OutputFile& file, std::span<const std::byte> bytes, const JobContext& job) {
-    constexpr std::size_t k_piece = std::size_t(16) << 20;
+    constexpr std::size_t k_piece = std::size_t(4) << 20;
     for (std::size_t at = 0; at < bytes.size(); at += k_piece) {
-        file.write(bytes.subspan(at, std::min(k_piece, bytes.size() - at)));
-        job.checkpoint(at, bytes.size());
+        const std::size_t size = std::min(k_piece, bytes.size() - at);
+        file.write(bytes.subspan(at, size));
+        job.checkpoint(at + size, bytes.size());
     }
+    job.check();  // the last moment at which a stop leaves nothing behind
 }
 
 namespace {
@@ -117,6 +119,7 @@ void write_gzip(OutputFile& file, std::span<const std::byte> head, std::span<con
         tail[4 + i] = static_cast<unsigned char>(total >> (8 * i));
     }
     file.write(std::as_bytes(std::span(tail)));
+    job.check();
 }
 
 }  // namespace lacuna

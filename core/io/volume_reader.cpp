@@ -337,6 +337,8 @@ Volume open_volume(const std::string& input, const OpenOptions& options, const J
     if (options.spacing_mm) volume = with_spacing(volume, *options.spacing_mm, input);
     volume.name = file_entry(path, {}, {}).description;
     warn_of_nan(volume, job.part(0.95, 1));
+    job.checkpoint(1, 1);
+    job.check();
     return volume;
 }
 

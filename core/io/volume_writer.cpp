@@ -129,12 +129,22 @@ void write_pair(const Volume& volume, const fs::path& data, const fs::path& head
     text.commit();
 }
 
+/// The file written beside the one named must not replace one that belongs to something else, such as the input.
+void check_companion(const fs::path& target, const fs::path& companion) {
+    std::error_code ec;
+    if (fs::exists(companion, ec) && !fs::exists(target, ec))
+        throw Error(Errc::io, "Cannot write " + target.string() + ": it needs " + companion.filename().string() +
+                                  " beside it, and there is such a file already; choose another name.");
+}
+
 void write_meta(const Volume& volume, const fs::path& target, const JobContext& job) {
     const fs::path data = fs::path(target).replace_extension(".raw");
+    check_companion(target, data);
     write_pair(volume, data, target, meta_header(volume, data.filename().string()), job);
 }
 
 void write_raw(const Volume& volume, const fs::path& target, const JobContext& job) {
+    check_companion(target, fs::path(target).replace_extension(".dat"));
     write_pair(volume, target, fs::path(target).replace_extension(".dat"),
                dat_header(volume, target.filename().string()), job);
 }

@@ -19,6 +19,7 @@ std::string voxel_sha256(const Volume& volume, const JobContext& job) {
         job.checkpoint(at, volume.bytes());
         EVP_DigestUpdate(context.get(), volume.data() + at, std::min(k_chunk, volume.bytes() - at));
     }
+    job.check();
     unsigned char digest[EVP_MAX_MD_SIZE];
     unsigned size = 0;
     EVP_DigestFinal_ex(context.get(), digest, &size);

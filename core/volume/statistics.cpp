@@ -164,13 +164,15 @@ double VolumeStatistics::percentile(double share) const {
 VolumeStatistics compute_statistics(const Volume& volume, const JobContext& job) {
     job.check();
     if (volume.empty()) return {};
-    return visit_type(volume.type(), [&](auto tag) {
+    VolumeStatistics statistics = visit_type(volume.type(), [&](auto tag) {
         using T = decltype(tag);
         if constexpr (std::is_same_v<T, float>)
             return float_statistics(volume.view<T>().voxels(), job);
         else
             return integer_statistics<T>(volume.view<T>().voxels(), job);
     });
+    job.check();
+    return statistics;
 }
 
 double otsu_threshold(const VolumeStatistics& statistics) {

@@ -132,6 +132,21 @@ TEST(VolumeWriter, AnExistingFileIsReplacedOrKeptWhole) {
     expect_same_voxels(first, open_volume((folder / "v.nrrd").string()));
 }
 
+TEST(VolumeWriter, APairNeverReplacesAFileThatIsNotItsOwn) {
+    const ScratchFolder folder;
+    put_file(folder / "scan.raw", "the scanner's own voxels");
+    expect_error(Errc::io, {"scan.mhd", "scan.raw"}, [&] {
+        write_volume(noise_volume({9, 9, 9}), folder / "scan.mhd");
+    });
+    EXPECT_EQ(get_file(folder / "scan.raw"), "the scanner's own voxels");
+    put_file(folder / "notes.dat", "notes");
+    expect_error(Errc::io, {"notes.raw", "notes.dat"}, [&] {
+        write_volume(noise_volume({9, 9, 9}), folder / "notes.raw");
+    });
+    EXPECT_EQ(get_file(folder / "notes.dat"), "notes");
+    EXPECT_EQ(folder.entries(), 2u);
+}
+
 TEST(LabelWriter, UsesTheSmallestTypeThatHoldsEveryId) {
     const ScratchFolder folder;
     LabelVolume labels{oblique_grid({2, 2, 1}), std::make_shared<std::vector<std::uint32_t>>(4, 0u)};
