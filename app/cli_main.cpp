@@ -27,8 +27,15 @@ std::vector<std::string> join_negative_values(int argc, char** argv) {
     return words;
 }
 
+/// File names may hold anything; a terminal must not be steered by them.
+std::string printable(std::string text) {
+    for (char& c : text)
+        if ((static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f) c = '?';
+    return text;
+}
+
 int complain(const std::string& sentence, int status) {
-    std::fprintf(stderr, "lacuna: %s\n", sentence.c_str());
+    std::fprintf(stderr, "lacuna: %s\n", printable(sentence).c_str());
     return status;
 }
 
@@ -107,6 +114,7 @@ int run(int argc, char** argv) {
 
     try {
         const int status = chosen(console);
+        console.say_notes_at_end();
         console.clear_progress();
         return status;
     } catch (const Error& error) {

@@ -55,7 +55,9 @@ ProgressLine& progress_line() {
 }  // namespace
 
 std::stop_token Console::watch_signals() {
-    std::signal(SIGPIPE, SIG_IGN);  // a closed pipe becomes a write error, so that half-written files are cleaned up
+    // A closed pipe and a file over the size limit become write errors, so that half-written files are cleaned up.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
     sigset_t signals;
     sigemptyset(&signals);
     sigaddset(&signals, SIGINT);
@@ -89,6 +91,11 @@ void Console::print(std::string_view text) const {
 void Console::note(std::string_view line) const {
     clear_progress();
     if (!quiet) std::fprintf(stderr, "lacuna: %.*s\n", int(line.size()), line.data());
+}
+
+void Console::say_notes_at_end() const {
+    for (const std::string& line : at_end_) note(line);
+    at_end_.clear();
 }
 
 void check_target(const std::filesystem::path& target) {

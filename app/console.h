@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/job.h"
 
@@ -28,9 +29,13 @@ public:
     void print(std::string_view text) const;
     /// One line on standard error, unless --quiet.
     void note(std::string_view line) const;
+    /// A note that follows the result; a failure has the one line that says why, and no other.
+    void note_at_end(std::string line) const { at_end_.push_back(std::move(line)); }
+    void say_notes_at_end() const;
 
 private:
     std::stop_token stop_;
+    mutable std::vector<std::string> at_end_;
 };
 
 /// Refuses a target that could not be written in the end, before hours of work: its folder must exist and take new

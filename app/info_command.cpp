@@ -108,6 +108,7 @@ void add_info_command(CLI::App& app, Action& chosen) {
     command->callback([&chosen, input, as_json] {
         chosen = [input, as_json](Console& console) {
             input->check();
+            input->say_warnings = false;  // they are part of the answer
             const Volume volume = input->load(console);
             const VolumeStatistics statistics = compute_statistics(volume, console.job("Measuring"));
             const std::string sha256 = voxel_sha256(volume, console.job("Checksum"));

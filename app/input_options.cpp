@@ -57,6 +57,8 @@ Volume InputOptions::load(const Console& console) const {
     }
     Volume volume = open_volume(input, open, console.job("Reading"));
     require_memory(volume.bytes(), "The volume");
+    if (say_warnings)
+        for (const Warning& warning : volume.warnings) console.note_at_end("warning: " + warning.text);
     return volume;
 }
 

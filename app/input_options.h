@@ -15,6 +15,7 @@ struct InputOptions {
     std::string input;
     OpenOptions open;
     std::string memory_limit_text, spacing_text;
+    bool say_warnings = true;  ///< a note on standard error for each of the volume's warnings
 
     /// Adds the positional INPUT (required unless told) and --raw, --series, --spacing, --keep-gaps, --memory-limit.
     void add_to(CLI::App& command, bool required = true);

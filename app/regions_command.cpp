@@ -56,10 +56,50 @@ void check_targets(const RegionsWords& words) {
     if (!words.labels.empty() && !words.labels.ends_with(".nrrd"))
         refuse("--labels", words.labels, "a .nrrd file, the one kind of label volume written");
     if (words.mesh_folder.empty()) return;
+    // The folder is made when the meshes are; here only what stands in its way is found.
     std::error_code ec;
-    std::filesystem::create_directories(words.mesh_folder, ec);
-    check_target(std::filesystem::path(words.mesh_folder) / ("region." + words.mesh_format));
+    std::filesystem::path there = std::filesystem::absolute(words.mesh_folder, ec);
+    while (!std::filesystem::exists(there, ec) && there.has_relative_path()) there = there.parent_path();
+    if (!std::filesystem::is_directory(there, ec))
+        throw Error(Errc::io, fmt::format("Cannot write meshes to {}: {} is a file; name a folder.", words.mesh_folder,
+                                          there.string()));
+    check_target(there / "region");
 }
+
+/// The folders and files of one run: what is not kept is taken back.
+class MeshFolder {
+public:
+    explicit MeshFolder(const std::filesystem::path& folder) : folder_(folder) {
+        std::error_code ec;
+        for (auto at = std::filesystem::absolute(folder, ec); !std::filesystem::exists(at, ec); at = at.parent_path())
+            made_.push_back(at);
+        if (std::filesystem::create_directories(folder, ec); ec)
+            throw Error(Errc::io,
+                        fmt::format("Cannot make the folder {}: {}; name another one.", folder.string(), ec.message()));
+    }
+    ~MeshFolder() {
+        std::error_code ec;
+        if (kept_) return;
+        for (const auto& file : written_) std::filesystem::remove(file, ec);
+        for (const auto& folder : made_) std::filesystem::remove(folder, ec);  // only where it is empty
+    }
+    MeshFolder(const MeshFolder&) = delete;
+    MeshFolder& operator=(const MeshFolder&) = delete;
+
+    void add(const TriangleMesh& mesh, const std::string& name) {
+        const std::filesystem::path file = folder_ / name;
+        std::error_code ec;
+        const bool is_new = !std::filesystem::exists(file, ec);
+        write_mesh(mesh, file);
+        if (is_new) written_.push_back(file);
+    }
+    void keep() { kept_ = true; }
+
+private:
+    std::filesystem::path folder_;
+    std::vector<std::filesystem::path> made_, written_;
+    bool kept_ = false;
+};
 
 std::optional<ValueRange> resolve(const std::string& flag, const std::optional<std::string>& text,
                                   const VolumeStatistics& statistics) {
@@ -108,12 +148,13 @@ std::string table_text(const RegionTable& table) {
 }
 
 void write_meshes(const RegionTable& table, const RegionsWords& words, const JobContext& job) {
+    MeshFolder folder(words.mesh_folder);
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const TriangleMesh mesh = region_mesh(table.labels, table.rows[i], JobContext{job.stop, nullptr});
-        write_mesh(mesh, std::filesystem::path(words.mesh_folder) /
-                             fmt::format("region-{:05}.{}", table.rows[i].id, words.mesh_format));
+        folder.add(mesh, fmt::format("region-{:05}.{}", table.rows[i].id, words.mesh_format));
         job.checkpoint(i + 1, table.rows.size());
     }
+    folder.keep();
 }
 
 int run_regions(RegionsWords& words, Console& console) {
