@@ -103,6 +103,8 @@ public:
         bound.options = " -DLACUNA_DISTANCE=" + std::to_string(int(plan.structure) - int(Structure::pc)) +
                         " -DLACUNA_REGIONS=" + std::to_string(int(second)) +
                         " -DLACUNA_RANGES_OF_CELLS=" + (ranges ? "1" : "0");
+        // Gradients inside a homogeneous region are zero, unless the plan lets them turn.
+        if (held.key->angle_deg > 0) bound.options += " -DLACUNA_RUN_GRADIENT=1";
         return bound;
     }
 

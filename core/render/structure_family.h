@@ -17,10 +17,10 @@ namespace lacuna {
 struct BoundStructure {
     int kernel_id = 0;  ///< LACUNA_STRUCTURE of the kernel variant that traverses it
     std::vector<cl::Buffer>
-        buffers;            ///< its arguments, in the order of STRUCTURE_ARGS in its kernels/include/skip_*.clh
-    bool runs = false;      ///< LACUNA_RUNS: it can answer "n samples of this value"
-    bool built = false;     ///< something had to be built for this frame
-    std::size_t bytes = 0;  ///< held for this structure, the min-max cells it was derived from included
+        buffers;               ///< its arguments, in the order of STRUCTURE_ARGS in its kernels/include/skip_*.clh
+    bool runs = false;         ///< LACUNA_RUNS: it can answer "n samples of this value"
+    bool built = false;        ///< something had to be built for this frame
+    std::size_t bytes = 0;     ///< held for this structure, the min-max cells it was derived from included
     std::string options = {};  ///< further options of the kernel variant, each with a space before it
 };
 

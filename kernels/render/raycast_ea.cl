@@ -45,22 +45,23 @@ INLINE VF faded(constant RayParams* p, global const float* factors, VF opacity, 
 #define RUN_GRADIENT
 #endif
 /// Composites a homogeneous run, samples k .. k+count-1 of one value, in one step: A = 1-(1-a)^n, C = c A (Es et al.
-/// 2006). The gradient inside is zero. A lane takes part with those of its own samples that lie in the run, and stops,
+/// 2006). The gradient inside is that at the run's first sample with LACUNA_RUN_GRADIENT, else zero. A lane takes part with those of its own samples that lie in the run, and stops,
 /// as sample by sample, at the first one behind which it is opaque enough.
 INLINE void add_run(constant RayParams* p, global const float* lut_opacity, global const uint* lut_color, const Rays* r,
-                    int k, int count, VF value, VF floor_t, VF3* c, VF* clear, VF* depth RUN_GRADIENT_ARG) {
+                    int k, int count, VF value, VF magnitude, VF cosine, VF floor_t, VF3* c, VF* clear,
+                    VF* depth RUN_GRADIENT_ARG) {
     const VF zero = (VF)(0.0f);
     VI row, inside = in_ranges(p, value, &row);
     VI entry = lut_index(p, value, row);
     VF opacity = gather_float(lut_opacity, entry);
 #if LACUNA_GRADIENT_OPACITY
-    opacity = faded(p, gradient_factor, opacity, zero, row);
+    opacity = faded(p, gradient_factor, opacity, magnitude, row);
 #endif
     VI first = max_of_int(r->first, (VI)(k)), samples = min_of_int(r->end, (VI)(k + count)) - first;
     VI shown = inside & MASK(opacity > zero) & MASK(samples > (VI)(0)) & MASK(*clear >= floor_t) & MASK(*clear > zero);
     if (!any_lane(shown)) return;
     VF3 color = unpack_color(gather_uint(lut_color, entry));
-    shade(p, zero, &color);
+    shade(p, cosine, &color);
     VF per_sample = log2(max_of(1.0f - opacity, (VF)(1e-30f)));
     VF n = TO_FLOAT(samples);
     // The sample at which transmittance first falls below the limit is still added; those behind it are not.
@@ -114,8 +115,12 @@ kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams
         k = skip.next;
 #if LACUNA_RUNS
         if (skip.run > 1) {
-            add_run(p, lut_opacity, lut_color, &r, k, min(skip.run, end - k), skip.run_value, floor_t, &c, &clear, &depth
-                    RUN_GRADIENT);
+            VF magnitude = zero, cosine = zero;
+#if LACUNA_RUN_GRADIENT
+            cosine = facing(p, &r, gradient(volume, p, ray_at(&r, (VF)((float)k))), &magnitude);
+#endif
+            add_run(p, lut_opacity, lut_color, &r, k, min(skip.run, end - k), skip.run_value, magnitude, cosine, floor_t,
+                    &c, &clear, &depth RUN_GRADIENT);
             COUNT(skipped += sum_lanes(counted(live) * max_of_int(min_of_int((VI)(k + skip.run), r.end) - max_of_int((VI)(k), r.first), (VI)(0)));)
             k += skip.run;
             continue;

@@ -195,6 +195,29 @@ TEST(VoxelDistances, TheErrorGrowsWithTheThreshold) {
     EXPECT_GT(before, 0);
 }
 
+TEST(VoxelDistances, GradientsMayTurnByTheAngle) {
+    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    Scene scene =
+        test::small_scene(test::bumpy_ball<std::uint8_t>({48, 48, 48}, {1, 1, 1}, 240), ViewMode::ea, {96, 96});
+    scene.classification.tf = {"t", 1.0, {{20, {1, 0.5, 0}, 0}, {240, {1, 0.6, 0}, 0.05}}, {}};
+    const Frame plain = renderer(16).render(scene, plan_for(Structure::none, 1), {}, true).frame;
+    std::uint64_t samples = plain.counters.samples;
+    double before = 0;
+    for (const double angle : {0.0, 15.0, 45.0, 180.0}) {
+        Plan plan = plan_for(Structure::pc, 1);
+        plan.homogeneity = 0.02;
+        plan.homogeneity_angle_deg = angle;
+        const Frame frame = renderer(16).render(scene, plan, {}, true).frame;
+        const double error = mean_difference(frame, plain);
+        EXPECT_LE(frame.counters.samples, samples) << angle;
+        EXPECT_GE(error, before - 0.05) << angle;
+        EXPECT_LE(error, 4.0) << angle;  // of 255
+        samples = frame.counters.samples;
+        before = error;
+    }
+    EXPECT_LT(samples, plain.counters.samples);
+}
+
 TEST(VoxelDistances, TooLargeIsRefusedInOneSentence) {
     if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
     const double limit = std::min(
