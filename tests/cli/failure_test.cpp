@@ -69,6 +69,33 @@ TEST_F(Failure, DiskFullLeavesNoHalfWrittenFile) {
     EXPECT_TRUE(files().empty()) << files().front();
 }
 
+TEST_F(Failure, MeshesThatDoNotFitAreTakenBackWithTheirFolder) {
+    Surroundings full;
+    full.file_size_limit = 20000;
+    expect_failure(
+        lacuna({"regions", "sample:spheres@32", "--threshold", "otsu,max", "--mesh", path("deep/meshes")}, full), 1,
+        "region-");
+    EXPECT_TRUE(files().empty()) << files().front();
+}
+
+TEST_F(Failure, AHomeThatTakesNoFilesCostsNoDevice) {
+    const std::string usual = lacuna({"devices"}).out;
+    Surroundings homeless;
+    homeless.environment = {{"HOME", "/dev/null"}, {"XDG_CACHE_HOME", "/dev/null/cache"}};
+    const std::string out = lacuna({"devices"}, homeless).out;
+    EXPECT_EQ(out.substr(0, out.find('\n')), usual.substr(0, usual.find('\n')));
+}
+
+TEST_F(Failure, WarningsFollowAResultAndNeverAFault) {
+    const std::string raw = path("a_8x8x8_uint8.raw");
+    std::ofstream(raw) << std::string(512, 'x');
+    EXPECT_NE(lacuna({"regions", raw, "--threshold", "0,255"}).err.find("lacuna: warning: "), std::string::npos);
+    EXPECT_EQ(lacuna({"regions", raw, "--threshold", "0,255", "--quiet"}).err, "");
+    Surroundings full;
+    full.file_size_limit = 100;
+    expect_failure(lacuna({"convert", raw, path("o.nrrd")}, full), 1, "o.nrrd");
+}
+
 TEST_F(Failure, FullStandardOutputIsNotSuccess) {
     Surroundings full;
     full.standard_output = "/dev/full";

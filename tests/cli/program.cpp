@@ -24,7 +24,7 @@ namespace {
     if (surroundings.file_size_limit > 0) {
         const rlimit limit{rlim_t(surroundings.file_size_limit), rlim_t(surroundings.file_size_limit)};
         ::setrlimit(RLIMIT_FSIZE, &limit);
-        std::signal(SIGXFSZ, SIG_IGN);  // writing past the limit then fails as it does on a full disk
+        ::signal(SIGXFSZ, SIG_DFL);  // as a shell leaves it: the program must cope
     }
     const int in = ::open("/dev/null", O_RDONLY);
     ::dup2(in, STDIN_FILENO);
