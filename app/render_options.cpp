@@ -60,6 +60,8 @@ void RenderOptions::add_to(CLI::App& command) {
          "auto (default), none, macrocells, octree, pyramid, pc, acd, eacd or visible (shear-warp)");
     word("--cells", words_.cells, "voxels a macro-cell edge of pc, acd, eacd: 4, 8 (default), 16; 1: an entry a voxel");
     word("--homogeneity", words_.homogeneity, "T[,A]: opacities (octree: values) and angles that count as equal");
+    word("--sparse", words_.sparse,
+         "K[,G]: cast every K-th pixel, all where colours differ by more than G (0..1, default 0.02)");
     word("--ert", words_.ert, "stop when opacity exceeds 1-E; 0: never (default 0.002)");
     words("--effects", words_.effects,
           "name[=v[,v..]],..: ssao, ao, dof, gamma, tonemap, brightness, contrast, in this order (docs/effects.md)");
@@ -131,6 +133,14 @@ void RenderOptions::parse_plan() {
     if (words_.refine_steps) refine_steps_ = int(parse_integer("--refine-steps", *words_.refine_steps, 0, 100));
     if (words_.structure && *words_.structure != "auto")
         structure_ = for_flag("--structure", [&] { return parse_structure(*words_.structure); });
+    if (words_.sparse) {
+        const std::string& text = *words_.sparse;
+        const std::vector<double> v = parse_numbers("--sparse", text, text.find(',') == std::string::npos ? 1 : 2);
+        if (!(v[0] >= 2 && v[0] <= 64) || v[0] != int(v[0])) refuse("--sparse", text, "a whole number from 2 to 64");
+        sparse_ = int(v[0]);
+        if (v.size() > 1) sparse_gradient_ = v[1];
+        if (v.size() > 1 && !(v[1] >= 0)) refuse("--sparse", text, "a colour difference of at least 0");
+    }
     if (words_.cells) {
         cells_ = int(parse_integer("--cells", *words_.cells, 1, 16));
         if (*cells_ & (*cells_ - 1) || *cells_ == 2) refuse("--cells", *words_.cells, "1, 4, 8 or 16");
@@ -236,6 +246,8 @@ Plan RenderOptions::plan(const Scene& scene) const {
     take(plan.refine_steps, refine_steps_, "--refine-steps");
     take(plan.ert, ert_, "--ert");
     take(plan.cells, cells_, "--cells");
+    take(plan.sparse, sparse_, "--sparse");
+    if (sparse_gradient_) plan.sparse_gradient = *sparse_gradient_;
     take(plan.homogeneity, homogeneity_, "--homogeneity");
     if (homogeneity_angle_) plan.homogeneity_angle_deg = *homogeneity_angle_;
     return plan;

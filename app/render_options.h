@@ -46,8 +46,8 @@ private:
     };
     struct Words {
         std::optional<std::string> mode, iso, tf, window, shading, lmip_threshold, size, azimuth, elevation, roll, zoom,
-            center, perspective, step, sampler, gradient, refine, refine_steps, structure, cells, homogeneity, ert,
-            turntable;
+            center, perspective, step, sampler, gradient, refine, refine_steps, structure, cells, homogeneity, sparse,
+            ert, turntable;
         std::vector<std::string> ranges, cuts, effects;
     };
 
@@ -61,7 +61,9 @@ private:
 
     Words words_;
     ViewMode mode_ = ViewMode::ea;
-    std::optional<double> iso_, lmip_threshold_, step_, ert_;
+    std::optional<double> iso_, lmip_threshold_, step_, ert_, homogeneity_, homogeneity_angle_;
+    std::optional<int> cells_, sparse_;
+    std::optional<double> sparse_gradient_;
     std::optional<ValueRange> window_;
     std::optional<Shading> shading_;
     std::optional<TfChoice> tf_;
@@ -70,8 +72,6 @@ private:
     std::vector<Effect> effects_;
     Camera camera_;
     glm::ivec2 size_{512, 512};
-    std::optional<double> homogeneity_, homogeneity_angle_;
-    std::optional<int> cells_;
     std::optional<Structure> structure_;
     std::optional<Sampler> sampler_;
     std::optional<Refinement> refine_;

@@ -12,10 +12,10 @@ namespace lacuna {
 /// bounding sphere, for perspective in the plane through the centre, where fov_deg is the angle of that side.
 struct Camera {
     double azimuth_deg = 0, elevation_deg = 0;
-    double roll_deg = 0;                     ///< turns the camera clockwise about the view axis, the picture the other way
-    double zoom = 1;                         ///< > 0
-    std::optional<glm::dvec3> center_mm;     ///< none: the volume's centre
-    std::optional<double> fov_deg;           ///< none: orthographic; else 0 < fov < 180
+    double roll_deg = 0;                  ///< turns the camera clockwise about the view axis, the picture the other way
+    double zoom = 1;                      ///< > 0
+    std::optional<glm::dvec3> center_mm;  ///< none: the volume's centre
+    std::optional<double> fov_deg;        ///< none: orthographic; else 0 < fov < 180
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
@@ -23,10 +23,10 @@ struct Camera {
 /// starts at origin(x, y) and runs along direction(x, y), a unit vector, through the pixel's centre.
 struct ViewRays {
     glm::dvec3 right{1, 0, 0}, up{0, 0, 1}, forward{0, 1, 0};  ///< unit; picture's right, picture's up, into the scene
-    glm::dvec3 eye{0};              ///< perspective: the eye; orthographic: a point in the plane all rays start from
-    glm::dvec3 target{0};           ///< the centre looked at
-    double pixel_mm = 1;            ///< size of a pixel in the plane through the centre
-    double distance_mm = 1;         ///< from eye to target
+    glm::dvec3 eye{0};       ///< perspective: the eye; orthographic: a point in the plane all rays start from
+    glm::dvec3 target{0};    ///< the centre looked at
+    double pixel_mm = 1;     ///< size of a pixel in the plane through the centre
+    double distance_mm = 1;  ///< from eye to target
     bool perspective = false;
     glm::ivec2 size{1};
 

@@ -20,14 +20,14 @@ enum class Shading { none, lambert, phong };
 struct CuttingPlane {
     glm::dvec3 normal{1, 0, 0};
     double offset = 0;
-    bool cap = true;    ///< draw data values on the cut face; else inner surfaces show
+    bool cap = true;  ///< draw data values on the cut face; else inner surfaces show
     friend bool operator==(const CuttingPlane&, const CuttingPlane&) = default;
 };
 
 /// Voxels drawn over the picture in one colour, seen through whatever hides them (a selected region).
 struct Highlight {
-    glm::ivec3 first{0}, size{0};                               ///< the box of voxels `inside` covers
-    std::shared_ptr<const std::vector<std::uint8_t>> inside;    ///< size.x*size.y*size.z, x fastest, non-zero: drawn
+    glm::ivec3 first{0}, size{0};                             ///< the box of voxels `inside` covers
+    std::shared_ptr<const std::vector<std::uint8_t>> inside;  ///< size.x*size.y*size.z, x fastest, non-zero: drawn
     glm::dvec3 color{1.0, 0.45, 0.1};
     double opacity = 0.75;
 };
@@ -64,13 +64,13 @@ struct Scene {
     ViewMode mode = ViewMode::ea;
     Classification classification;
     double iso = 0;
-    std::vector<CuttingPlane> cuts;                 ///< at most k_max_cuts
+    std::vector<CuttingPlane> cuts;  ///< at most k_max_cuts
     Camera camera;
     glm::ivec2 size{512, 512};
     Shading shading = Shading::phong;
     glm::dvec3 surface_color{0.92, 0.88, 0.80};
-    ValueRange window{0, 255};                      ///< grey levels of caps and of the MIP family: lo black, hi white
-    bool color_by_tf = false;                       ///< MIP family: the transfer function's colour instead of grey
+    ValueRange window{0, 255};  ///< grey levels of caps and of the MIP family: lo black, hi white
+    bool color_by_tf = false;   ///< MIP family: the transfer function's colour instead of grey
     double lmip_threshold = 0;
     std::vector<Highlight> highlights;
     glm::dvec3 background{0.0};
