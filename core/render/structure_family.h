@@ -16,8 +16,8 @@ namespace lacuna {
 /// A structure as a ray-casting kernel reads it.
 struct BoundStructure {
     int kernel_id = 0;  ///< LACUNA_STRUCTURE of the kernel variant that traverses it
-    std::vector<cl::Buffer>
-        buffers;               ///< its arguments, in the order of STRUCTURE_ARGS in its kernels/include/skip_*.clh
+    /// Its arguments, in the order of STRUCTURE_ARGS in its kernels/include/skip_*.clh.
+    std::vector<cl::Buffer> buffers = {};
     bool runs = false;         ///< LACUNA_RUNS: it can answer "n samples of this value"
     bool built = false;        ///< something had to be built for this frame
     std::size_t bytes = 0;     ///< held for this structure, the min-max cells it was derived from included
