@@ -25,8 +25,12 @@ INLINE VF measure_at(global const voxel_t* volume, constant RayParams* p, const 
 INLINE VF refine_hit(global const voxel_t* volume, constant RayParams* p, const Rays* r, VF a, VF b, VF ga, VF gb) {
     VF estimate = p->refine == 1 ? 0.5f * (a + b) : b - gb * (b - a) / (gb - ga);
     const VF half_one = (VF)(0.5f);
-    VI kept = (VI)(0);   // regula falsi: which end stayed last time, -1 a, 1 b
-    for (int i = 0; i < p->refine_steps; ++i) {
+    if (p->refine == 2 && p->refine_steps == 0) return b;
+    VI kept = (VI)(0);      // regula falsi: which end stayed last time, -1 a, 1 b
+    VI astray = (VI)(0);    // Newton: left the bracket, the midpoint stands
+    // The secant above is regula falsi's first estimate: one evaluation less than its steps.
+    const int steps = p->refine == 2 ? p->refine_steps - 1 : p->refine_steps;
+    for (int i = 0; i < steps; ++i) {
         if (p->refine == 3) {
             VF width = (VF)(0.1f);
             VF g = measure_at(volume, p, r, estimate);
@@ -34,7 +38,8 @@ INLINE VF refine_hit(global const voxel_t* volume, constant RayParams* p, const 
                        (0.5f / 0.1f);
             VF next = estimate - g / slope;
             VI good = MASK(next >= a) & MASK(next <= b);   // false for NaN
-            estimate = good ? next : half_one * (a + b);
+            estimate = astray ? estimate : (good ? next : half_one * (a + b));
+            astray |= ~good;
             continue;
         }
         VF g = measure_at(volume, p, r, estimate);
