@@ -59,36 +59,40 @@ Refinement parse_refinement(std::string_view text) { return parse(k_refinement_n
 
 Plan default_plan(const Scene& scene) {
     Plan plan;
+    const bool ranges = !scene.classification.ranges.empty();
     switch (scene.mode) {
         case ViewMode::shear_warp:
             plan.structure = Structure::visible;
             plan.sampler = Sampler::nearest;
             plan.refine = Refinement::none;
             plan.why = {"Visible voxels: shear-warp paints the surface voxels one viewing direction can see.",
-                        "No macrocells: no ray is cast."};
+                        "No distances: no ray is cast."};
             return plan;
         case ViewMode::iso:
-            plan.why = {"Macrocells: cells whose value range lies on one side of the surface are jumped over.",
-                        "Regula falsi, 5 steps: the surface's depth is far more exact than the sample distance."};
+            plan.structure = Structure::acd;
+            plan.why = {
+                "Distances over macro-cells, an octant of directions each: rays jump to the next cell whose "
+                "values lie on both sides of the surface.",
+                "Regula falsi, 5 steps: the surface's depth is far more exact than the sample distance."};
             break;
         case ViewMode::ea:
-            plan.why = {"Macrocells: cells without a visible value are jumped over.",
-                        "Rays end at opacity 0.998: what is left is below one grey level."};
+            plan.structure = Structure::acd;
+            plan.why = {
+                "Distances over macro-cells, an octant of directions each: rays jump to the next cell with a "
+                "visible value.",
+                "Rays end at opacity 0.998: what is left is below one grey level."};
+            break;
+        case ViewMode::lmip:
+            plan.why = {"Macro-cells: cells that can hold no winner are jumped over."};
             break;
         case ViewMode::mip:
         case ViewMode::minip:
-            plan.why = {"Macrocells: cells that cannot change the extreme value found so far are jumped over."};
-            break;
-        case ViewMode::lmip:
-            plan.why = {"Macrocells: cells that can hold no winner are jumped over."};
-            break;
         case ViewMode::mean:
-            if (scene.classification.ranges.empty()) {
-                plan.structure = Structure::none;
-                plan.why = {"No structure: the mean counts every sample."};
-            } else {
-                plan.why = {"Macrocells: cells outside all segmentation ranges are jumped over."};
-            }
+            plan.structure = ranges ? Structure::acd : Structure::none;
+            plan.why = {ranges ? "Distances over macro-cells: rays jump over what the segmentation ranges hide."
+                        : scene.mode == ViewMode::mean
+                            ? "No structure: the mean counts every sample."
+                            : "No structure: asking whether a cell can still win costs what it saves."};
             break;
     }
     plan.why.push_back("Two samples a voxel, trilinear: below that, thin walls are missed.");
