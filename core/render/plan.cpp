@@ -1,61 +1,38 @@
 #include "core/render/plan.h"
 
-#include <array>
 #include <cmath>
-#include <utility>
 
-#include "core/base/error.h"
+#include "core/base/names.h"
 
 namespace lacuna {
 
 namespace {
 
-constexpr std::array<std::pair<Structure, std::string_view>, 8> k_structure_names{
-    {{Structure::none, "none"},
-     {Structure::macrocells, "macrocells"},
-     {Structure::octree, "octree"},
-     {Structure::pyramid, "pyramid"},
-     {Structure::pc, "pc"},
-     {Structure::acd, "acd"},
-     {Structure::eacd, "eacd"},
-     {Structure::visible, "visible"}}};
-constexpr std::array<std::pair<Sampler, std::string_view>, 2> k_sampler_names{
-    {{Sampler::nearest, "nearest"}, {Sampler::linear, "linear"}}};
-constexpr std::array<std::pair<Refinement, std::string_view>, 4> k_refinement_names{
-    {{Refinement::none, "none"},
-     {Refinement::bisect, "bisect"},
-     {Refinement::regula_falsi, "regula-falsi"},
-     {Refinement::newton, "newton"}}};
+constexpr NameTable<Structure, 8> k_structure_names{{{Structure::none, "none"},
+                                                     {Structure::macrocells, "macrocells"},
+                                                     {Structure::octree, "octree"},
+                                                     {Structure::pyramid, "pyramid"},
+                                                     {Structure::pc, "pc"},
+                                                     {Structure::acd, "acd"},
+                                                     {Structure::eacd, "eacd"},
+                                                     {Structure::visible, "visible"}}};
+constexpr NameTable<Sampler, 2> k_sampler_names{{{Sampler::nearest, "nearest"}, {Sampler::linear, "linear"}}};
+constexpr NameTable<Refinement, 4> k_refinement_names{{{Refinement::none, "none"},
+                                                       {Refinement::bisect, "bisect"},
+                                                       {Refinement::regula_falsi, "regula-falsi"},
+                                                       {Refinement::newton, "newton"}}};
 
 constexpr double k_min_step = 0.01, k_max_step = 100;
 constexpr int k_max_refine_steps = 64;
-
-template <class Names>
-auto parse(const Names& names, std::string_view text, const char* what) {
-    std::string known;
-    for (const auto& [value, name] : names) {
-        if (name == text) return value;
-        known += (known.empty() ? "" : ", ") + std::string(name);
-    }
-    throw Error(Errc::bad_usage,
-                "There is no " + std::string(what) + " '" + std::string(text) + "'; known are " + known + ".");
-}
-
-template <class Names, class Value>
-std::string_view name_in(const Names& names, Value wanted) {
-    for (const auto& [value, name] : names)
-        if (value == wanted) return name;
-    return "";
-}
 
 }  // namespace
 
 std::string_view name_of(Structure structure) { return name_in(k_structure_names, structure); }
 std::string_view name_of(Sampler sampler) { return name_in(k_sampler_names, sampler); }
 std::string_view name_of(Refinement refinement) { return name_in(k_refinement_names, refinement); }
-Structure parse_structure(std::string_view text) { return parse(k_structure_names, text, "structure"); }
-Sampler parse_sampler(std::string_view text) { return parse(k_sampler_names, text, "sampler"); }
-Refinement parse_refinement(std::string_view text) { return parse(k_refinement_names, text, "refinement"); }
+Structure parse_structure(std::string_view text) { return parse_name(k_structure_names, text, "structure"); }
+Sampler parse_sampler(std::string_view text) { return parse_name(k_sampler_names, text, "sampler"); }
+Refinement parse_refinement(std::string_view text) { return parse_name(k_refinement_names, text, "refinement"); }
 
 Plan default_plan(const Scene& scene) {
     Plan plan;

@@ -1,24 +1,22 @@
 #include "core/render/scene.h"
 
-#include <array>
 #include <cmath>
-#include <utility>
 
-#include "core/base/error.h"
+#include "core/base/names.h"
 #include "core/volume/statistics.h"
 
 namespace lacuna {
 
 namespace {
 
-constexpr std::array<std::pair<ViewMode, std::string_view>, 7> k_mode_names{{{ViewMode::iso, "iso"},
-                                                                             {ViewMode::ea, "ea"},
-                                                                             {ViewMode::mip, "mip"},
-                                                                             {ViewMode::lmip, "lmip"},
-                                                                             {ViewMode::minip, "minip"},
-                                                                             {ViewMode::mean, "mean"},
-                                                                             {ViewMode::shear_warp, "shear-warp"}}};
-constexpr std::array<std::pair<Shading, std::string_view>, 3> k_shading_names{
+constexpr NameTable<ViewMode, 7> k_mode_names{{{ViewMode::iso, "iso"},
+                                               {ViewMode::ea, "ea"},
+                                               {ViewMode::mip, "mip"},
+                                               {ViewMode::lmip, "lmip"},
+                                               {ViewMode::minip, "minip"},
+                                               {ViewMode::mean, "mean"},
+                                               {ViewMode::shear_warp, "shear-warp"}}};
+constexpr NameTable<Shading, 3> k_shading_names{
     {{Shading::none, "none"}, {Shading::lambert, "lambert"}, {Shading::phong, "phong"}}};
 
 [[noreturn]] void refuse(const std::string& sentence) { throw Error(Errc::bad_usage, sentence); }
@@ -83,29 +81,12 @@ void check_highlights(const std::vector<Highlight>& highlights) {
     }
 }
 
-template <class Names>
-auto parse(const Names& names, std::string_view text, const char* what) {
-    std::string known;
-    for (const auto& [value, name] : names) {
-        if (name == text) return value;
-        known += (known.empty() ? "" : ", ") + std::string(name);
-    }
-    refuse("There is no " + std::string(what) + " '" + std::string(text) + "'; known are " + known + ".");
-}
-
-template <class Names, class Value>
-std::string_view name_in(const Names& names, Value wanted) {
-    for (const auto& [value, name] : names)
-        if (value == wanted) return name;
-    return "";
-}
-
 }  // namespace
 
 std::string_view name_of(ViewMode mode) { return name_in(k_mode_names, mode); }
 std::string_view name_of(Shading shading) { return name_in(k_shading_names, shading); }
-ViewMode parse_view_mode(std::string_view text) { return parse(k_mode_names, text, "view mode"); }
-Shading parse_shading(std::string_view text) { return parse(k_shading_names, text, "shading"); }
+ViewMode parse_view_mode(std::string_view text) { return parse_name(k_mode_names, text, "view mode"); }
+Shading parse_shading(std::string_view text) { return parse_name(k_shading_names, text, "shading"); }
 
 Scene default_scene(const Volume& volume, const VolumeStatistics& statistics) {
     Scene scene;
