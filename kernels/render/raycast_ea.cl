@@ -14,7 +14,7 @@
 typedef struct {
     int unused;
 } Idle;
-#define IS_IDLE(state, cell_class, structure, cell) MASK(cell_class == (VI)(CELL_NONE))
+#define IS_IDLE(state, cell_class, structure, cell) MASK((cell_class) == (VI)(CELL_NONE))
 #include "include/skip.clh"
 
 #if LACUNA_GRADIENT_OPACITY

@@ -13,7 +13,7 @@ typedef struct {
     VI inside;     // lanes that came in through an open cut and have not left the object yet
 } Idle;
 #define IS_IDLE(state, cell_class, structure, cell) \
-    MASK(cell_class == ((state)->inside ? (VI)(CELL_ALL) : (VI)(CELL_NONE)))
+    MASK((cell_class) == ((state)->inside ? (VI)(CELL_ALL) : (VI)(CELL_NONE)))
 #include "include/skip.clh"
 
 INLINE VF measure_at(global const voxel_t* volume, constant RayParams* p, const Rays* r, VF k) {

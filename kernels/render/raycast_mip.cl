@@ -32,7 +32,7 @@ INLINE VI lmip_cannot_win(const Idle* state, VF largest) {
 #define CANNOT_WIN(state, s, cell) MASK(cell_most(s, cell) <= (state)->best)
 #endif
 #define IS_IDLE(state, cell_class, structure, cell) \
-    (MASK(cell_class == (VI)(CELL_NONE)) | CANNOT_WIN(state, structure, cell))
+    (MASK((cell_class) == (VI)(CELL_NONE)) | CANNOT_WIN(state, structure, cell))
 #include "include/skip.clh"
 
 kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,

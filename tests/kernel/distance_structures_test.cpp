@@ -1,22 +1,11 @@
 // The distance structures pc, acd and eacd against brute force on the same device.
 #include <gtest/gtest.h>
 
-#include "core/compute/device.h"
-#include "core/render/opencl_renderer.h"
+#include "tests/support/device_renderer.h"
 #include "tests/support/scenes.h"
 
 namespace lacuna {
 namespace {
-
-std::shared_ptr<ComputeDevice> device() {
-    static const std::shared_ptr<ComputeDevice> opened = open_device();
-    return opened;
-}
-
-OpenClRenderer& renderer(int lanes) {
-    static OpenClRenderer packets(device(), 16), single(device(), 1);
-    return lanes == 16 ? packets : single;
-}
 
 Plan plan_for(Structure structure, int cells) {
     Plan plan;
@@ -24,16 +13,6 @@ Plan plan_for(Structure structure, int cells) {
     plan.cells = cells;
     plan.ert = 0;
     return plan;
-}
-
-/// Share of pixels in which any channel differs by more than `levels`/255.
-double share_over(const Frame& a, const Frame& b, double levels) {
-    std::size_t over = 0;
-    for (std::size_t i = 0; i < a.pixels(); ++i) {
-        const glm::vec4 d = glm::abs(a.color[i] - b.color[i]) * 255.0f;
-        over += !(std::max({d.r, d.g, d.b, d.a}) <= float(levels));
-    }
-    return double(over) / double(a.pixels());
 }
 
 double mean_difference(const Frame& a, const Frame& b) {
@@ -101,21 +80,19 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 class Distances : public testing::TestWithParam<Case> {
 protected:
-    void SetUp() override {
-        if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
-    }
+    void SetUp() override { LACUNA_NEEDS_DEVICE(); }
 };
 
 TEST_P(Distances, OverMacrocellsChangeNothing) {
     const Case& c = GetParam();
-    const Frame plain = renderer(16).render(c.scene, plan_for(Structure::none, 8), {}, false).frame;
+    const Frame plain = test::renderer(16).render(c.scene, plan_for(Structure::none, 8), {}, false).frame;
     for (const Structure structure : c.structures)
         for (const int lanes : c.lanes)
             for (const int cells : {4, 8}) {
-                const Frame frame = renderer(lanes).render(c.scene, plan_for(structure, cells), {}, false).frame;
-                EXPECT_LE(share_over(frame, plain, 0.5), 1e-4)
+                const Frame frame = test::renderer(lanes).render(c.scene, plan_for(structure, cells), {}, false).frame;
+                EXPECT_LE(test::share_over(frame, plain, 0.5), 1e-4)
                     << name_of(structure) << " lanes " << lanes << " cells " << cells;
-                EXPECT_LE(share_over(frame, plain, 1.0), 0)
+                EXPECT_LE(test::share_over(frame, plain, 1.0), 0)
                     << name_of(structure) << " lanes " << lanes << " cells " << cells;
             }
 }
@@ -128,17 +105,17 @@ INSTANTIATE_TEST_SUITE_P(Kernels, Distances, testing::ValuesIn(make_cases()), []
 });
 
 TEST(VoxelDistances, ChangeNothingAtThresholdZero) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     for (const Case& c : make_cases()) {
         const bool pc_only = !c.name.starts_with("odd_u8_");
         if (c.scene.mode == ViewMode::mip || (pc_only && c.scene.mode != ViewMode::ea)) continue;
         if (c.scene.mode != ViewMode::ea && c.scene.mode != ViewMode::iso) continue;
-        const Frame plain = renderer(16).render(c.scene, plan_for(Structure::none, 1), {}, false).frame;
+        const Frame plain = test::renderer(16).render(c.scene, plan_for(Structure::none, 1), {}, false).frame;
         for (const Structure structure : {Structure::pc, Structure::acd, Structure::eacd}) {
             if (pc_only && structure != Structure::pc) continue;
-            const Frame frame = renderer(16).render(c.scene, plan_for(structure, 1), {}, false).frame;
-            EXPECT_LE(share_over(frame, plain, 0.5), 1e-4) << c.name << ' ' << name_of(structure);
-            EXPECT_LE(share_over(frame, plain, 1.0), 0) << c.name << ' ' << name_of(structure);
+            const Frame frame = test::renderer(16).render(c.scene, plan_for(structure, 1), {}, false).frame;
+            EXPECT_LE(test::share_over(frame, plain, 0.5), 1e-4) << c.name << ' ' << name_of(structure);
+            EXPECT_LE(test::share_over(frame, plain, 1.0), 0) << c.name << ' ' << name_of(structure);
         }
     }
 }
@@ -160,31 +137,31 @@ Scene plateaus() {
 }
 
 TEST(VoxelDistances, RunsOfEqualSamplesAreTakenAtOnce) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     Scene scene = plateaus();
     for (const Shading shading : {Shading::none, Shading::phong}) {
         scene.shading = shading;
-        const Frame plain = renderer(16).render(scene, plan_for(Structure::none, 1), {}, true).frame;
-        const Frame pc = renderer(16).render(scene, plan_for(Structure::pc, 1), {}, true).frame;
-        const Frame eacd = renderer(16).render(scene, plan_for(Structure::eacd, 1), {}, true).frame;
-        EXPECT_LE(share_over(pc, plain, 1.0), 0);
-        EXPECT_LE(share_over(eacd, plain, 1.0), 0);
+        const Frame plain = test::renderer(16).render(scene, plan_for(Structure::none, 1), {}, true).frame;
+        const Frame pc = test::renderer(16).render(scene, plan_for(Structure::pc, 1), {}, true).frame;
+        const Frame eacd = test::renderer(16).render(scene, plan_for(Structure::eacd, 1), {}, true).frame;
+        EXPECT_LE(test::share_over(pc, plain, 1.0), 0);
+        EXPECT_LE(test::share_over(eacd, plain, 1.0), 0);
         EXPECT_LT(double(pc.counters.samples), 0.75 * double(plain.counters.samples));
         EXPECT_LT(eacd.counters.structure_reads, pc.counters.structure_reads);
     }
 }
 
 TEST(VoxelDistances, TheErrorGrowsWithTheThreshold) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     Scene scene = plateaus();
     scene.shading = Shading::none;
-    const Frame plain = renderer(16).render(scene, plan_for(Structure::none, 1), {}, true).frame;
+    const Frame plain = test::renderer(16).render(scene, plan_for(Structure::none, 1), {}, true).frame;
     double before = 0;
     std::uint64_t samples = plain.counters.samples;
     for (const double threshold : {0.0, 0.005, 0.02, 0.08, 0.32}) {
         Plan plan = plan_for(Structure::pc, 1);
         plan.homogeneity = threshold;
-        const Frame frame = renderer(16).render(scene, plan, {}, true).frame;
+        const Frame frame = test::renderer(16).render(scene, plan, {}, true).frame;
         const double error = mean_difference(frame, plain);
         EXPECT_GE(error, before - 0.02) << threshold;
         EXPECT_LE(frame.counters.samples, samples) << threshold;
@@ -196,18 +173,18 @@ TEST(VoxelDistances, TheErrorGrowsWithTheThreshold) {
 }
 
 TEST(VoxelDistances, GradientsMayTurnByTheAngle) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     Scene scene =
         test::small_scene(test::bumpy_ball<std::uint8_t>({48, 48, 48}, {1, 1, 1}, 240), ViewMode::ea, {96, 96});
     scene.classification.tf = {"t", 1.0, {{20, {1, 0.5, 0}, 0}, {240, {1, 0.6, 0}, 0.05}}, {}};
-    const Frame plain = renderer(16).render(scene, plan_for(Structure::none, 1), {}, true).frame;
+    const Frame plain = test::renderer(16).render(scene, plan_for(Structure::none, 1), {}, true).frame;
     std::uint64_t samples = plain.counters.samples;
     double before = 0;
     for (const double angle : {0.0, 15.0, 45.0, 180.0}) {
         Plan plan = plan_for(Structure::pc, 1);
         plan.homogeneity = 0.02;
         plan.homogeneity_angle_deg = angle;
-        const Frame frame = renderer(16).render(scene, plan, {}, true).frame;
+        const Frame frame = test::renderer(16).render(scene, plan, {}, true).frame;
         const double error = mean_difference(frame, plain);
         EXPECT_LE(frame.counters.samples, samples) << angle;
         EXPECT_GE(error, before - 0.05) << angle;
@@ -219,14 +196,14 @@ TEST(VoxelDistances, GradientsMayTurnByTheAngle) {
 }
 
 TEST(VoxelDistances, TooLargeIsRefusedInOneSentence) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
-    const double limit = std::min(
-        {double(device()->info().max_allocation_bytes), 0.5 * double(device()->info().memory_bytes), 2147483647.0});
+    LACUNA_NEEDS_DEVICE();
+    const double limit = std::min({double(test::device()->info().max_allocation_bytes),
+                                   0.5 * double(test::device()->info().memory_bytes), 2147483647.0});
     if (limit > 16.0 * 1300 * 1300 * 80) GTEST_SKIP() << "skipped: the device offers more than this test may take";
     GridGeometry grid;
     grid.size = {1300, 1300, 80};
     const Volume flat = make_volume<std::uint8_t>(grid, [](std::span<std::uint8_t>) {});
-    OpenClRenderer own(device());
+    OpenClRenderer own(test::device());
     try {
         own.render(test::small_scene(flat, ViewMode::ea), plan_for(Structure::eacd, 1), {}, false);
         FAIL() << "held all the same";
@@ -243,11 +220,14 @@ const Volume& sparse_volume() {
 }
 
 TEST(DistanceStructures, AskLessTheMoreTheyKnow) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     const Scene scene = test::small_scene(sparse_volume(), ViewMode::ea, {128, 128});
-    const auto count = [&](Structure s) { return renderer(16).render(scene, plan_for(s, 4), {}, true).frame.counters; };
+    const auto count = [&](Structure s) {
+        return test::renderer(16).render(scene, plan_for(s, 4), {}, true).frame.counters;
+    };
     Plan eight = plan_for(Structure::macrocells, 8);
-    const Counters plain = count(Structure::none), cells = renderer(16).render(scene, eight, {}, true).frame.counters;
+    const Counters plain = count(Structure::none),
+                   cells = test::renderer(16).render(scene, eight, {}, true).frame.counters;
     const Counters pc = count(Structure::pc), acd = count(Structure::acd), eacd = count(Structure::eacd);
     EXPECT_LT(double(pc.samples), 0.6 * double(plain.samples));
     EXPECT_LT(pc.samples, cells.samples);  // smaller cells, fewer samples, and still fewer questions
@@ -259,17 +239,17 @@ TEST(DistanceStructures, AskLessTheMoreTheyKnow) {
 }
 
 TEST(DistanceStructures, AskOnceWhereNothingCanBeSkipped) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     Scene fog = test::small_scene(sparse_volume(), ViewMode::ea, {128, 128});
     fog.classification.tf = {"fog", 1.0, {{0, {1, 1, 1}, 0.001}, {1, {1, 1, 1}, 0.001}}, {}};
-    const Counters made = renderer(16).render(fog, plan_for(Structure::pc, 8), {}, true).frame.counters;
+    const Counters made = test::renderer(16).render(fog, plan_for(Structure::pc, 8), {}, true).frame.counters;
     EXPECT_EQ(made.skipped, 0u);
     EXPECT_LT(made.structure_reads, 2 * made.rays);
 }
 
 TEST(DistanceStructures, FollowEveryEdit) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
-    OpenClRenderer own(device());
+    LACUNA_NEEDS_DEVICE();
+    OpenClRenderer own(test::device());
     Scene scene = test::small_scene(sparse_volume(), ViewMode::iso);
     const Plan plan = plan_for(Structure::pc, 8);
     EXPECT_GT(own.render(scene, plan, {}, false).build.at("pc").bytes, 0u);
@@ -277,14 +257,14 @@ TEST(DistanceStructures, FollowEveryEdit) {
     scene.iso *= 0.5;
     const RenderResult edited = own.render(scene, plan, {}, false);
     EXPECT_GT(edited.build.at("pc").ms, 0);
-    const Frame fresh = renderer(16).render(scene, plan_for(Structure::none, 8), {}, false).frame;
-    EXPECT_LE(share_over(edited.frame, fresh, 1.0), 0);
+    const Frame fresh = test::renderer(16).render(scene, plan_for(Structure::none, 8), {}, false).frame;
+    EXPECT_LE(test::share_over(edited.frame, fresh, 1.0), 0);
     EXPECT_GT(own.render(scene, plan_for(Structure::pc, 4), {}, false).build.at("pc").ms, 0) << "other cells";
 }
 
 TEST(DistanceStructures, AStoppedBuildLeavesNothing) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
-    OpenClRenderer own(device());
+    LACUNA_NEEDS_DEVICE();
+    OpenClRenderer own(test::device());
     const Scene scene = test::small_scene(sparse_volume(), ViewMode::ea);
     std::stop_source source;
     const JobContext job{source.get_token(), [&](double) { source.request_stop(); }};
@@ -296,8 +276,8 @@ TEST(DistanceStructures, AStoppedBuildLeavesNothing) {
     }
     const RenderResult after = own.render(scene, plan_for(Structure::eacd, 4), {}, false);
     EXPECT_GT(after.build.at("eacd").ms, 0);
-    const Frame plain = renderer(16).render(scene, plan_for(Structure::none, 8), {}, false).frame;
-    EXPECT_LE(share_over(after.frame, plain, 1.0), 0);
+    const Frame plain = test::renderer(16).render(scene, plan_for(Structure::none, 8), {}, false).frame;
+    EXPECT_LE(test::share_over(after.frame, plain, 1.0), 0);
 }
 
 }  // namespace

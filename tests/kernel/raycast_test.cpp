@@ -2,39 +2,18 @@
 #include <gtest/gtest.h>
 
 #include "core/accuracy/image_error.h"
-#include "core/compute/device.h"
-#include "core/render/opencl_renderer.h"
 #include "core/render/reference_renderer.h"
+#include "tests/support/device_renderer.h"
 #include "tests/support/scenes.h"
 
 namespace lacuna {
 namespace {
-
-std::shared_ptr<ComputeDevice> device() {
-    static const std::shared_ptr<ComputeDevice> opened = open_device();
-    return opened;
-}
-
-OpenClRenderer& renderer(int lanes) {
-    static OpenClRenderer packets(device(), 16), single(device(), 1);
-    return lanes == 16 ? packets : single;
-}
 
 Plan brute_force() {
     Plan plan;
     plan.structure = Structure::none;
     plan.ert = 0;
     return plan;
-}
-
-/// Share of pixels in which any channel differs by more than `levels`/255.
-double share_over(const Frame& a, const Frame& b, double levels) {
-    std::size_t over = 0;
-    for (std::size_t i = 0; i < a.pixels(); ++i) {
-        const glm::vec4 d = glm::abs(a.color[i] - b.color[i]) * 255.0f;
-        over += !(std::max({d.r, d.g, d.b, d.a}) <= float(levels));
-    }
-    return double(over) / double(a.pixels());
 }
 
 const ViewMode k_modes[] = {ViewMode::iso,  ViewMode::ea,    ViewMode::mip,
@@ -101,22 +80,20 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 class Raycast : public testing::TestWithParam<Case> {
 protected:
-    void SetUp() override {
-        if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
-    }
+    void SetUp() override { LACUNA_NEEDS_DEVICE(); }
 };
 
 TEST_P(Raycast, EqualsTheReferenceRenderer) {
     const Case& c = GetParam();
     const Frame truth = render_reference(c.scene, c.plan);
     for (int lanes : lanes_for(c)) {
-        const Frame frame = renderer(lanes).render(c.scene, c.plan, {}, false).frame;
+        const Frame frame = test::renderer(lanes).render(c.scene, c.plan, {}, false).frame;
         ASSERT_EQ(frame.size, truth.size);
         const ImageError error = compare(frame, truth, {0, 0, 0});
         // Single precision moves samples by about 1e-5 voxels: a handful of edge pixels may turn, the rest may not.
         // Nearest sampling turns whole voxels at once.
         const double allowed = c.plan.sampler == Sampler::nearest ? 0.01 : 0.004;
-        EXPECT_LE(share_over(frame, truth, 2.0), allowed) << "lanes " << lanes << " max " << error.max;
+        EXPECT_LE(test::share_over(frame, truth, 2.0), allowed) << "lanes " << lanes << " max " << error.max;
         EXPECT_LE(error.mean, 0.15) << "lanes " << lanes << " max " << error.max;
     }
 }
@@ -125,13 +102,13 @@ TEST_P(Raycast, MacrocellsChangeNothing) {
     const Case& c = GetParam();
     // Counting kernels are kernels of their own to compile: one voxel type shows that the counters are right.
     const bool count = c.name.starts_with("u16");
-    const Frame plain = renderer(16).render(c.scene, c.plan, {}, count).frame;
+    const Frame plain = test::renderer(16).render(c.scene, c.plan, {}, count).frame;
     Plan skipping = c.plan;
     skipping.structure = Structure::macrocells;
     for (int lanes : lanes_for(c)) {
-        const Frame frame = renderer(lanes).render(c.scene, skipping, {}, count).frame;
-        EXPECT_LE(share_over(frame, plain, 0.5), 1e-4) << "lanes " << lanes;
-        EXPECT_LE(share_over(frame, plain, 1.0), 0) << "lanes " << lanes;
+        const Frame frame = test::renderer(lanes).render(c.scene, skipping, {}, count).frame;
+        EXPECT_LE(test::share_over(frame, plain, 0.5), 1e-4) << "lanes " << lanes;
+        EXPECT_LE(test::share_over(frame, plain, 1.0), 0) << "lanes " << lanes;
         if (!count) continue;
         EXPECT_EQ(frame.counters.rays, plain.counters.rays);
         EXPECT_LE(frame.counters.samples, plain.counters.samples);
@@ -149,19 +126,19 @@ INSTANTIATE_TEST_SUITE_P(Kernels, Raycast, testing::ValuesIn(make_cases()), [](c
 });
 
 TEST(Macrocells, SkipMostOfAnEmptyScene) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     const Volume balls = make_sample("spheres", {.size = 96}).volume;
     const Scene scene = test::small_scene(balls, ViewMode::ea, {128, 128});
     Plan plan = brute_force();
-    const Frame plain = renderer(16).render(scene, plan, {}, true).frame;
+    const Frame plain = test::renderer(16).render(scene, plan, {}, true).frame;
     plan.structure = Structure::macrocells;
-    const Frame skipping = renderer(16).render(scene, plan, {}, true).frame;
+    const Frame skipping = test::renderer(16).render(scene, plan, {}, true).frame;
     EXPECT_LT(double(skipping.counters.samples), 0.7 * double(plain.counters.samples));
     EXPECT_GT(double(skipping.counters.skipped), 0.3 * double(plain.counters.samples));
 }
 
 TEST(Cancel, AStoppedFrameThrowsAndLeavesTheRendererUsable) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     const Volume ball = test::bumpy_ball<std::uint16_t>({64, 64, 64}, {1, 1, 1}, 60000);
     const Scene scene = test::small_scene(ball, ViewMode::mean, {512, 512});
     std::stop_source source;
@@ -170,7 +147,7 @@ TEST(Cancel, AStoppedFrameThrowsAndLeavesTheRendererUsable) {
                    }};
     Plan plan = brute_force();
     plan.step = 0.05;
-    OpenClRenderer own(device());
+    OpenClRenderer own(test::device());
     try {
         own.render(scene, plan, job, false);
         FAIL() << "a stopped frame was returned";
@@ -182,13 +159,13 @@ TEST(Cancel, AStoppedFrameThrowsAndLeavesTheRendererUsable) {
 }
 
 TEST(Determinism, SameBytesTwice) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     const Volume ball = test::bumpy_ball<std::int16_t>({50, 51, 52}, {1, 1, 1}, 3000, -1000);
     for (ViewMode mode : k_modes) {
         const Scene scene = test::small_scene(ball, mode);
         const Plan plan = default_plan(scene);
-        const Frame a = renderer(16).render(scene, plan, {}, false).frame;
-        const Frame b = renderer(16).render(scene, plan, {}, false).frame;
+        const Frame a = test::renderer(16).render(scene, plan, {}, false).frame;
+        const Frame b = test::renderer(16).render(scene, plan, {}, false).frame;
         EXPECT_TRUE(a.color == b.color && a.depth_mm == b.depth_mm) << name_of(mode);
     }
 }

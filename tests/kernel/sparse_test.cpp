@@ -2,27 +2,20 @@
 #include <gtest/gtest.h>
 
 #include "core/accuracy/image_error.h"
-#include "core/compute/device.h"
-#include "core/render/opencl_renderer.h"
 #include "core/render/sparse_casting.h"
+#include "tests/support/device_renderer.h"
 #include "tests/support/scenes.h"
 
 namespace lacuna {
 namespace {
 
-std::shared_ptr<ComputeDevice> device() {
-    static const std::shared_ptr<ComputeDevice> opened = open_device();
-    return opened;
-}
-
 Frame render(const Scene& scene, int k, double gradient, bool count = false) {
-    static OpenClRenderer renderer(device());
     Plan plan = default_plan(scene);
     plan.ert = 0;
     plan.sparse = k;
     plan.sparse_gradient = gradient;
     check(plan, scene);
-    return renderer.render(scene, plan, {}, count).frame;
+    return test::renderer().render(scene, plan, {}, count).frame;
 }
 
 Scene ball_scene(ViewMode mode, glm::ivec2 size) {
@@ -56,18 +49,19 @@ TEST(Sparse, InterpolatesARampExactly) {
 
 // What lies wholly between four equal cast pixels is not seen: the tip of a silhouette, no more.
 TEST(Sparse, AtGradientZeroOnlyEqualPixelsAreInterpolated) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     for (ViewMode mode : {ViewMode::iso, ViewMode::ea})
         for (glm::ivec2 size : {glm::ivec2(61, 47), glm::ivec2(64, 64), glm::ivec2(3, 5)}) {
             const Scene scene = ball_scene(mode, size);
             const Frame full = render(scene, 0, 0), sparse = render(scene, 2, 0);
             const ImageError error = compare(sparse, full, {0, 0, 0}, 1.0);
-            EXPECT_LE(double(error.pixels_over_budget), 1 + 0.01 * double(full.pixels())) << name_of(mode) << " " << size.x;
+            EXPECT_LE(double(error.pixels_over_budget), 1 + 0.01 * double(full.pixels()))
+                << name_of(mode) << " " << size.x;
         }
 }
 
 TEST(Sparse, ErrorGrowsAndRaysShrinkWithTheThreshold) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     const Scene scene = ball_scene(ViewMode::ea, {160, 160});
     const Frame full = render(scene, 0, 0, true);
     double error = 0;
@@ -85,7 +79,7 @@ TEST(Sparse, ErrorGrowsAndRaysShrinkWithTheThreshold) {
 
 // Lesar 2015: objects thinner than k pixels vanish. A wire of one voxel, seen end to end, lies between cast pixels.
 TEST(SparseFails, AOnePixelWireVanishesBetweenCastPixels) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     GridGeometry grid;
     grid.size = {33, 9, 33};
     const Volume wire = make_volume<std::uint8_t>(grid, [&](auto voxels) {

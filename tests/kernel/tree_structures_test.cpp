@@ -3,37 +3,17 @@
 #include <gtest/gtest.h>
 
 #include "core/accuracy/image_error.h"
-#include "core/compute/device.h"
-#include "core/render/opencl_renderer.h"
+#include "tests/support/device_renderer.h"
 #include "tests/support/scenes.h"
 
 namespace lacuna {
 namespace {
-
-std::shared_ptr<ComputeDevice> device() {
-    static const std::shared_ptr<ComputeDevice> opened = open_device();
-    return opened;
-}
-
-OpenClRenderer& renderer(int lanes) {
-    static OpenClRenderer packets(device(), 16), single(device(), 1);
-    return lanes == 16 ? packets : single;
-}
 
 Plan with(Structure structure) {
     Plan plan;
     plan.structure = structure;
     plan.ert = 0;
     return plan;
-}
-
-double share_over(const Frame& a, const Frame& b, double levels) {
-    std::size_t over = 0;
-    for (std::size_t i = 0; i < a.pixels(); ++i) {
-        const glm::vec4 d = glm::abs(a.color[i] - b.color[i]) * 255.0f;
-        over += !(std::max({d.r, d.g, d.b, d.a}) <= float(levels));
-    }
-    return double(over) / double(a.pixels());
 }
 
 struct Case {
@@ -134,21 +114,19 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 class Trees : public testing::TestWithParam<Case> {
 protected:
-    void SetUp() override {
-        if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
-    }
+    void SetUp() override { LACUNA_NEEDS_DEVICE(); }
 };
 
 TEST_P(Trees, ChangeNothing) {
     const Case& c = GetParam();
     Plan plan = with(Structure::none);
     plan.sampler = c.sampler;
-    const Frame plain = renderer(16).render(c.scene, plan, {}, false).frame;
+    const Frame plain = test::renderer(16).render(c.scene, plan, {}, false).frame;
     plan.structure = c.structure;
     for (const int lanes : lanes_for(c)) {
-        const Frame frame = renderer(lanes).render(c.scene, plan, {}, false).frame;
-        EXPECT_LE(share_over(frame, plain, 0.5), 1e-4) << "lanes " << lanes;
-        EXPECT_LE(share_over(frame, plain, 1.0), 0) << "lanes " << lanes;
+        const Frame frame = test::renderer(lanes).render(c.scene, plan, {}, false).frame;
+        EXPECT_LE(test::share_over(frame, plain, 0.5), 1e-4) << "lanes " << lanes;
+        EXPECT_LE(test::share_over(frame, plain, 1.0), 0) << "lanes " << lanes;
     }
 }
 
@@ -160,14 +138,14 @@ INSTANTIATE_TEST_SUITE_P(Kernels, Trees, testing::ValuesIn(make_cases()), [](con
 });
 
 TEST(TreeStructures, CountersShowTheirOwnWork) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     const Volume balls = make_sample("spheres", {.size = 96}).volume;
     for (const ViewMode mode : {ViewMode::iso, ViewMode::ea}) {
         const Scene scene = test::small_scene(balls, mode, {128, 128});
-        const Counters plain = renderer(16).render(scene, with(Structure::none), {}, true).frame.counters;
-        const Counters cells = renderer(16).render(scene, with(Structure::macrocells), {}, true).frame.counters;
-        const Counters octree = renderer(16).render(scene, with(Structure::octree), {}, true).frame.counters;
-        const Counters pyramid = renderer(16).render(scene, with(Structure::pyramid), {}, true).frame.counters;
+        const Counters plain = test::renderer(16).render(scene, with(Structure::none), {}, true).frame.counters;
+        const Counters cells = test::renderer(16).render(scene, with(Structure::macrocells), {}, true).frame.counters;
+        const Counters octree = test::renderer(16).render(scene, with(Structure::octree), {}, true).frame.counters;
+        const Counters pyramid = test::renderer(16).render(scene, with(Structure::pyramid), {}, true).frame.counters;
         EXPECT_EQ(octree.rays, plain.rays);
         EXPECT_GT(octree.structure_reads, 0u);
         EXPECT_GT(pyramid.structure_reads, 0u);
@@ -180,33 +158,33 @@ TEST(TreeStructures, CountersShowTheirOwnWork) {
 }
 
 TEST(TreeStructures, RunsReplaceTheSamplesOfAPlateau) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     Scene scene = see_through(plateaus(), Shading::none);
     scene.size = {192, 192};
-    const Counters plain = renderer(16).render(scene, with(Structure::none), {}, true).frame.counters;
-    const Counters octree = renderer(16).render(scene, with(Structure::octree), {}, true).frame.counters;
+    const Counters plain = test::renderer(16).render(scene, with(Structure::none), {}, true).frame.counters;
+    const Counters octree = test::renderer(16).render(scene, with(Structure::octree), {}, true).frame.counters;
     EXPECT_LT(double(octree.samples), 0.6 * double(plain.samples));
     EXPECT_NEAR(double(octree.samples + octree.skipped), double(plain.samples), 0.02 * double(plain.samples));
 }
 
 TEST(TreeStructures, ErrorGrowsWithTheHomogeneityAskedFor) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     const Volume ball = test::bumpy_ball<std::uint16_t>({72, 72, 72}, {1, 1, 1}, 60000);
     Scene scene = test::small_scene(ball, ViewMode::ea, {96, 96});
     scene.classification = {};
     scene.classification.tf = {"glass", 1.0, {{500, {0, 0, 0}, 0}, {60000, {1, 0.8, 0.6}, 0.08}}, {}};
     scene.shading = Shading::none;
-    const Frame plain = renderer(16).render(scene, with(Structure::none), {}, false).frame;
+    const Frame plain = test::renderer(16).render(scene, with(Structure::none), {}, false).frame;
     double last = -1;
     std::uint64_t samples = ~std::uint64_t(0);
     for (const double threshold : {0.0, 600.0, 3000.0, 12000.0, 30000.0}) {
         Plan plan = with(Structure::octree);
         plan.homogeneity = threshold;
-        const Frame frame = renderer(16).render(scene, plan, {}, true).frame;
+        const Frame frame = test::renderer(16).render(scene, plan, {}, true).frame;
         const double mean = compare(frame, plain, {0, 0, 0}).mean;
         RecordProperty("mean_error_at_" + std::to_string(int(threshold)), std::to_string(mean));
         if (threshold == 0) {
-            EXPECT_LE(share_over(frame, plain, 0.5), 0);
+            EXPECT_LE(test::share_over(frame, plain, 0.5), 0);
         }
         EXPECT_GE(mean, last) << threshold;
         EXPECT_LE(frame.counters.samples, samples) << threshold;
@@ -218,12 +196,12 @@ TEST(TreeStructures, ErrorGrowsWithTheHomogeneityAskedFor) {
 }
 
 TEST(TreeStructures, AStoppedBuildLeavesNothingAndTheNextOneWorks) {
-    if (!device()) GTEST_SKIP() << "skipped: no usable OpenCL device";
+    LACUNA_NEEDS_DEVICE();
     const Volume ball = test::bumpy_ball<std::uint16_t>({64, 64, 64}, {1, 1, 1}, 60000);
     Scene scene = test::small_scene(ball, ViewMode::iso);
-    const Frame truth = renderer(16).render(scene, with(Structure::none), {}, false).frame;
+    const Frame truth = test::renderer(16).render(scene, with(Structure::none), {}, false).frame;
     for (const Structure structure : {Structure::octree, Structure::pyramid}) {
-        OpenClRenderer own(device());
+        OpenClRenderer own(test::device());
         for (const double stop_at : {0.01, 0.5, 0.95}) {
             std::stop_source source;
             const JobContext job{source.get_token(), [&](double f) {
@@ -236,16 +214,16 @@ TEST(TreeStructures, AStoppedBuildLeavesNothingAndTheNextOneWorks) {
                 EXPECT_EQ(error.code(), Errc::cancelled);
             }
         }
-        EXPECT_LE(share_over(own.render(scene, with(structure), {}, false).frame, truth, 0.5), 1e-4);
+        EXPECT_LE(test::share_over(own.render(scene, with(structure), {}, false).frame, truth, 0.5), 1e-4);
         // An edit that is stopped must not pass for the classification before it either.
         Scene edited = scene;
         edited.iso = scene.iso * 0.5;
         std::stop_source source;
         source.request_stop();
         EXPECT_THROW(own.render(edited, with(structure), {source.get_token(), nullptr}, false), Error);
-        EXPECT_LE(share_over(own.render(scene, with(structure), {}, false).frame, truth, 0.5), 1e-4);
-        const Frame after = renderer(16).render(edited, with(Structure::none), {}, false).frame;
-        EXPECT_LE(share_over(own.render(edited, with(structure), {}, false).frame, after, 0.5), 1e-4);
+        EXPECT_LE(test::share_over(own.render(scene, with(structure), {}, false).frame, truth, 0.5), 1e-4);
+        const Frame after = test::renderer(16).render(edited, with(Structure::none), {}, false).frame;
+        EXPECT_LE(test::share_over(own.render(edited, with(structure), {}, false).frame, after, 0.5), 1e-4);
     }
 }
 
