@@ -43,6 +43,9 @@ RegionOptions parse_options(const RegionsWords& words) {
         if (n != 6 && n != 18 && n != 26) refuse("--connectivity", *words.connectivity, "6, 18 or 26");
         options.connectivity = Connectivity(n);
     }
+    // Growing turns noise into regions of one voxel by the million: a default that leaves them out keeps the table
+    // readable and its memory small.
+    if (words.range_width) options.min_voxels = 8;
     if (words.min_voxels) options.min_voxels = parse_integer("--min-voxels", *words.min_voxels, 1, INT64_MAX);
     const char* const formats[] = {"stl", "ply", "obj", "vtp"};
     if (std::find(std::begin(formats), std::end(formats), words.mesh_format) == std::end(formats))
@@ -194,7 +197,8 @@ void add_regions_command(CLI::App& app, Action& chosen) {
                         "components of the values LO,HI; each end a number, min, otsu or max");
     command->add_option("--background", words->background, "values LO,HI never grown (with --range-width)");
     command->add_option("--connectivity", words->connectivity, "neighbours of a voxel: 6, 18 or 26 (default 6)");
-    command->add_option("--min-voxels", words->min_voxels, "leave out smaller regions (default 1)");
+    command->add_option("--min-voxels", words->min_voxels,
+                        "leave out smaller regions (default 8 with --range-width, else 1)");
     command->add_flag("--inner", words->inner, "leave out regions that touch the volume's border (air around a part)");
     command->add_option("--labels", words->labels, "write the regions' ids as a volume, e.g. labels.nrrd");
     command->add_option("--mesh", words->mesh_folder, "write one closed surface a region into this folder");
