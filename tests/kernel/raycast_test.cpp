@@ -113,8 +113,9 @@ TEST_P(Raycast, MacrocellsChangeNothing) {
         EXPECT_EQ(frame.counters.rays, plain.counters.rays);
         EXPECT_LE(frame.counters.samples, plain.counters.samples);
         EXPECT_GT(frame.counters.structure_reads, 0u);
-        if (c.scene.mode != ViewMode::mean && frame.counters.samples < plain.counters.samples)
+        if (c.scene.mode != ViewMode::mean && frame.counters.samples < plain.counters.samples) {
             EXPECT_GT(frame.counters.skipped, 0u);
+        }
     }
 }
 

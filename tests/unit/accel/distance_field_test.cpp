@@ -79,7 +79,9 @@ TEST(DistanceField, ChessboardIsExact) {
             if (region == 0) return;
             ASSERT_EQ(entry >= 128, region == 2);
             ASSERT_TRUE(at.all_of(c - (d - 1), c + (d - 1), region)) << "too far";
-            if (d < k_cube_limit) ASSERT_FALSE(at.all_of(c - d, c + d, region)) << "too near";
+            if (d < k_cube_limit) {
+                ASSERT_FALSE(at.all_of(c - d, c + d, region)) << "too near";
+            }
         });
     }
 }
@@ -98,7 +100,9 @@ TEST(DistanceField, OctantCubesAreExact) {
                 if (region == 0) return;
                 ASSERT_EQ(entry >= 128, region == 2);
                 ASSERT_TRUE(box_is(at, c, octant, glm::ivec3(d), region)) << "too far";
-                if (d < k_cube_limit) ASSERT_FALSE(box_is(at, c, octant, glm::ivec3(d + 1), region)) << "too near";
+                if (d < k_cube_limit) {
+                    ASSERT_FALSE(box_is(at, c, octant, glm::ivec3(d + 1), region)) << "too near";
+                }
             });
     }
 }

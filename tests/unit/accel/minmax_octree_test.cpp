@@ -90,8 +90,9 @@ TEST(MinMaxOctree, RangesHoldEveryVoxelASampleCanTouchAndNoMore) {
             const Truth own = look(volume, node * edge, (node + 1) * edge - 1);
             ASSERT_GE(tree.averages[i], tree.ranges[i].x) << name;
             ASSERT_LE(tree.averages[i], tree.ranges[i].y) << name;
-            if (own.finite > 0)
+            if (own.finite > 0) {
                 ASSERT_NEAR(tree.averages[i], own.sum / double(own.finite), 1e-5 * std::abs(t.hi) + 1e-6) << name;
+            }
         });
         EXPECT_EQ(tree.layout.nodes.back(), glm::ivec3(1)) << name;
     }
