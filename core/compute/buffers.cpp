@@ -37,6 +37,13 @@ cl::Buffer scratch_buffer(ComputeDevice& device, std::size_t bytes) {
                               [&] { return cl::Buffer(device.context(), CL_MEM_READ_WRITE, bytes); });
 }
 
+cl::Buffer uploaded_buffer(ComputeDevice& device, const void* data, std::size_t bytes) {
+    cl::Buffer buffer = scratch_buffer(device, bytes);
+    with_device_errors("copying " + std::to_string(bytes) + " bytes to the device",
+                       [&] { device.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, data); });
+    return buffer;
+}
+
 void read_bytes(ComputeDevice& device, const cl::Buffer& buffer, void* target, std::size_t bytes) {
     if (bytes == 0) return;
     with_device_errors("reading a result from the device",

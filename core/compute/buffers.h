@@ -22,6 +22,9 @@ bool is_zero_copy(const ComputeDevice& device, const void* data);
 /// An uninitialised buffer that kernels may read and write. @throws as device_buffer
 cl::Buffer scratch_buffer(ComputeDevice& device, std::size_t bytes);
 
+/// A buffer of its own with a copy of the bytes at `data`, which may go away afterwards. @throws as device_buffer
+cl::Buffer uploaded_buffer(ComputeDevice& device, const void* data, std::size_t bytes);
+
 /// Waits for the queue and copies the buffer's first `bytes` to `target`. @throws Error(device)
 void read_bytes(ComputeDevice& device, const cl::Buffer& buffer, void* target, std::size_t bytes);
 

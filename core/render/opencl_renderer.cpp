@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/compute/bands.h"
 #include "core/compute/buffers.h"
@@ -20,6 +19,7 @@ constexpr int k_group_pixels = 16;         // a work-group covers 16x16 pixels
 constexpr int k_tiles_a_group = 16;        // or so many 4x4 tiles of a list
 constexpr cl_uint k_first_row_arg = 2;     // of every ray-casting kernel
 constexpr double k_depth_step_pixels = 4;  // sparse casting: steeper than this between cast pixels is an edge
+
 bool needs_tables(const Scene& scene) { return scene.mode != ViewMode::iso; }
 
 int round_up(int n, int to) { return (n + to - 1) / to * to; }
@@ -33,8 +33,10 @@ struct OpenClRenderer::Tables {
     cl::Buffer opacity, color, gradient;
 };
 
+/// Grows to the largest picture cast, so that the two passes of sparse casting share it without allocating anew.
 struct OpenClRenderer::Output {
-    glm::ivec2 padded{0};
+    std::size_t capacity = 0;  // pixels
+    glm::ivec2 padded{0};      // of the picture cast last
     cl::Buffer color, depth, counters;
 };
 
@@ -49,7 +51,7 @@ OpenClRenderer::~OpenClRenderer() = default;
 std::size_t OpenClRenderer::bytes_held() const {
     std::size_t bytes = structures_.bytes();
     if (volume_) bytes += volume_->extra_bytes();
-    if (output_) bytes += std::size_t(output_->padded.x) * std::size_t(output_->padded.y) * 20;
+    if (output_) bytes += output_->capacity * (sizeof(glm::vec4) + sizeof(float));
     return bytes;
 }
 
@@ -63,6 +65,7 @@ void OpenClRenderer::drop_caches() {
 void OpenClRenderer::hold_volume(const Volume& volume) {
     if (volume_ && volume_->holds(volume)) return;
     structures_.hold(volume);
+    tables_.reset();  // how fine they are depends on the voxel type
     volume_.reset();  // the old one goes before the new one needs the memory
     volume_ = std::make_unique<DeviceVolume>(*device_, volume);
 }
@@ -74,15 +77,12 @@ void OpenClRenderer::make_tables(const Scene& scene, double step_mm) {
     next->step_mm = step_mm;
     next->host = make_transfer_tables(scene.classification, scene.volume.type(), step_mm);
     const TransferTables& host = next->host;
-    const auto upload = [&](const void* data, std::size_t bytes) {
-        cl::Buffer buffer = scratch_buffer(*device_, bytes);
-        device_->queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, data);
-        return buffer;
+    const auto upload = [&](const auto& values) {
+        return uploaded_buffer(*device_, values.data(), values.size() * sizeof(values[0]));
     };
-    next->opacity = upload(host.opacity.data(), host.opacity.size() * sizeof(float));
-    next->color = upload(host.color.data(), host.color.size() * sizeof(std::uint32_t));
-    if (host.uses_gradient)
-        next->gradient = upload(host.gradient_factor.data(), host.gradient_factor.size() * sizeof(float));
+    next->opacity = upload(host.opacity);
+    next->color = upload(host.color);
+    if (host.uses_gradient) next->gradient = upload(host.gradient_factor);
     tables_ = std::move(next);
 }
 
@@ -158,16 +158,18 @@ Frame OpenClRenderer::read_frame(glm::ivec2 size) {
 
 void OpenClRenderer::hold_output(glm::ivec2 padded, bool count) {
     const std::size_t pixels = std::size_t(padded.x) * std::size_t(padded.y);
-    if (!output_ || output_->padded != padded)
-        output_ = std::make_unique<Output>(Output{padded,
+    if (!output_ || output_->capacity < pixels)
+        output_ = std::make_unique<Output>(Output{pixels,
+                                                  padded,
                                                   scratch_buffer(*device_, pixels * sizeof(glm::vec4)),
                                                   scratch_buffer(*device_, pixels * sizeof(float)),
                                                   {}});
+    output_->padded = padded;
     if (!count) return;
-    const std::size_t bytes = pixels / std::size_t(lanes_) * sizeof(cl_uint4);
-    if (!output_->counters()) output_->counters = scratch_buffer(*device_, bytes);
+    const std::size_t item = sizeof(cl_uint4), lanes = std::size_t(lanes_);
+    if (!output_->counters()) output_->counters = scratch_buffer(*device_, output_->capacity / lanes * item);
     // Packets beyond the picture write none.
-    device_->queue().enqueueFillBuffer(output_->counters, cl_uint(0), 0, bytes);
+    device_->queue().enqueueFillBuffer(output_->counters, cl_uint(0), 0, pixels / lanes * item);
 }
 
 Counters OpenClRenderer::read_counters() {

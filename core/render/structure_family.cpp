@@ -44,9 +44,7 @@ double StructureContext::slack(ValueRange values) const {
 }
 
 cl::Buffer StructureContext::upload(const void* data, std::size_t bytes) const {
-    cl::Buffer buffer = scratch_buffer(device, bytes);
-    device.queue().enqueueWriteBuffer(buffer, CL_TRUE, 0, bytes, data);
-    return buffer;
+    return uploaded_buffer(device, data, bytes);
 }
 
 ValueRange value_range(const MacrocellGrid& grid) {
