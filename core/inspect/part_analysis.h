@@ -24,6 +24,9 @@ enum class DefectType { void_, inclusion };
 std::string_view name_of(ThresholdMethod method);
 std::string_view name_of(DefectType type);  ///< "void", "inclusion"
 
+/// Below this many voxels a defect's size is less certain than it is large.
+inline constexpr std::int64_t k_measurable_voxels = 8;
+
 /// What is a part's material and what counts as a defect in it.
 struct DetectionOptions {
     std::optional<ValueRange> material;     ///< closed range of the material's values; none: found by Otsu
@@ -32,7 +35,9 @@ struct DetectionOptions {
     bool inclusions = false;                ///< look for inclusions ...
     std::optional<double> inclusion_above;  ///< ... of values above this; none: found
     ThresholdMethod method = ThresholdMethod::local;
-    std::int64_t min_voxels = 8;  ///< smaller finds are no defects; between the detection limit and this: not measurable
+    /// Smaller finds are no defects; up to k_measurable_voxels, finds between the detection limit and that many voxels
+    /// are listed too, as detected but not measurable.
+    std::int64_t min_voxels = 8;
     Connectivity connectivity = Connectivity::c26;  ///< of defects
 };
 
@@ -41,13 +46,19 @@ struct Defect {
     std::uint32_t id = 0;  ///< 1..n by descending volume; the label in PartAnalysis::labels
     DefectType type = DefectType::void_;
     std::int64_t voxels = 0;
-    Measured volume_mm3;  ///< sub-voxel, by grey-value integration over the boundary layer
+    /// Sub-voxel: inside the surface at `threshold`. The interval spans that volume at thresholds +-10 % of the contrast
+    /// away, the grey-value integral (what a blurred defect had before the blur) and the grid's rounding.
+    Measured volume_mm3;
+    double voxel_volume_mm3 = 0;     ///< voxels times the volume of one
+    double integral_volume_mm3 = 0;  ///< grey-value integration over the boundary layer: partial volumes summed
+    double threshold = 0;            ///< the value its surface lies at
     glm::dvec3 centroid_mm{0};
     glm::dvec3 bbox_min_mm{0}, bbox_max_mm{0};
     glm::ivec3 bbox_first{0}, bbox_last{0};  ///< in voxels, both included
     Measured diameter_mm;                    ///< of the circumscribed sphere
     Measured equivalent_diameter_mm;         ///< of the ball of equal volume
     glm::dvec3 principal_lengths_mm{0};      ///< longest first
+    Measured area_mm2;                       ///< of its surface: by marching cubes, or Crofton where values are binary
     double surface_crofton_mm2 = 0, surface_mesh_mm2 = 0;
     double sphericity = 0, shape_factor = 0;
     Measured surface_distance_mm;         ///< to the part's outer surface
@@ -92,6 +103,11 @@ struct PartAnalysis {
     StabilityCurve stability;
     std::string surface_method, adjacency;  ///< as in RegionTable
 };
+
+/// One closed, outward-oriented surface of a defect, in mm, its vertices where the values pass Defect::threshold by
+/// linear interpolation. @throws Error(bad_usage) for an id that is not there; Error(cancelled)
+TriangleMesh defect_mesh(const Volume& volume, const PartAnalysis& analysis, std::uint32_t id,
+                         const JobContext& job = {});
 
 /// Finds and measures the defects of a part. Deterministic for any number of threads. A volume without material or of
 /// one value gives an analysis that says so in part.warnings, with no defects.
