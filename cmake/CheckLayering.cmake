@@ -3,7 +3,7 @@
 #   cmake -DSOURCE_DIR=... [-DSTAMP=FILE] -P CheckLayering.cmake   runs it
 # A room may include only itself and the rooms before it in this list.
 set(LACUNA_ROOMS core/base core/volume core/classify core/regions core/io core/compute core/accel core/render
-    core/accuracy core/inspect core/session ui app)
+    core/chart core/accuracy core/inspect core/session ui app)
 
 if(NOT CMAKE_SCRIPT_MODE_FILE)
     file(GLOB_RECURSE checked CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/core/*.h ${CMAKE_SOURCE_DIR}/core/*.cpp
@@ -69,6 +69,9 @@ foreach(file IN LISTS files)
         endif()
         if(NOT room STREQUAL "core/io" AND header MATCHES "^(dcmtk/|itk[A-Z]|gdcm)")
             fault("only core/io includes DCMTK, ITK or GDCM")
+        endif()
+        if(NOT room STREQUAL "core/chart" AND header MATCHES "^(cairo|pango)")
+            fault("only core/chart includes Cairo and Pango; draw on its Canvas")
         endif()
         if(room STREQUAL "ui" AND header STREQUAL "core/compute/opencl.h")
             fault("ui never touches OpenCL")
