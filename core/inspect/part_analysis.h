@@ -99,7 +99,7 @@ struct PartAnalysis {
     PartFacts part;
     std::vector<Defect> defects;  ///< by id
     LabelVolume labels;           ///< id per voxel
-    LabelVolume part_mask;        ///< 1 in the part (its closed voids included), 0 outside
+    MaskVolume part_mask;         ///< 1 in the part (its closed voids included), 0 outside
     StabilityCurve stability;
     std::string surface_method, adjacency;  ///< as in RegionTable
 };

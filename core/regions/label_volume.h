@@ -19,4 +19,14 @@ struct LabelVolume {
     }
 };
 
+/// One byte per voxel, x fastest: 1 inside, 0 outside. Copies share the bytes.
+struct MaskVolume {
+    GridGeometry geometry;
+    std::shared_ptr<std::vector<std::uint8_t>> labels;
+
+    std::uint8_t operator()(int x, int y, int z) const {
+        return (*labels)[std::size_t(geometry.linear_index(x, y, z))];
+    }
+};
+
 }  // namespace lacuna

@@ -21,8 +21,7 @@ inline constexpr std::uint32_t k_most_regions = 1u << 22;
 /// Provisional ids 1..n in the scan order of each region's first voxel.
 struct ProvisionalLabels {
     std::shared_ptr<std::vector<std::uint32_t>> labels;  ///< per voxel: id, 0 or k_never
-    std::vector<std::uint32_t> root;    ///< per id: the smallest id of its region; empty: every id is its own
-    std::vector<std::uint64_t> voxels;  ///< per id: voxels of the region (of the root; others 0); [0] unused
+    std::vector<std::uint64_t> voxels;  ///< per id: voxels of the region; [0] unused
 };
 
 /// Homogeneous-region growing (Frey & Ertl 2009, section 3): every voxel without a label is, in scan order, the seed of
@@ -34,9 +33,11 @@ struct ProvisionalLabels {
 ProvisionalLabels grow_regions(const Volume& volume, double width, const std::optional<ValueRange>& background,
                                Connectivity connectivity, std::int64_t min_voxels, const JobContext& job);
 
-/// Connected components of the voxels within `range`, by runs of a row and union-find (Wu, Otoo, Suzuki 2009).
-ProvisionalLabels label_components(const Volume& volume, const ValueRange& range, Connectivity connectivity,
-                                   const JobContext& job);
+/// Connected components of the voxels within `range`, by runs of rows: final ids 1..n per voxel by descending size, ties
+/// by first voxel; components under `min_voxels` are 0. @throws Error(bad_usage) beyond k_most_regions
+std::shared_ptr<std::vector<std::uint32_t>> label_components(const Volume& volume, const ValueRange& range,
+                                                             Connectivity connectivity, std::int64_t min_voxels,
+                                                             const JobContext& job);
 
 /// Renumbers in place: final ids 1..n by descending size, ties by first voxel; regions under `min_voxels` and k_never
 /// become 0. Returns n. @throws Error(bad_usage) beyond k_most_regions

@@ -68,17 +68,17 @@ RegionTable find_regions(const Volume& volume, const RegionOptions& options, con
     check_options(volume, options);
     RegionTable table;
     table.value_range = finite_range(volume, job.part(0, 0.03));
-    labelling::ProvisionalLabels provisional;
-    const JobContext labelling_job = job.part(0.03, 0.5);
-    if (options.range_width)
-        provisional =
+    if (options.range_width) {
+        labelling::ProvisionalLabels provisional =
             labelling::grow_regions(volume, *options.range_width * table.value_range.width(), options.background,
-                                    options.connectivity, options.min_voxels, labelling_job);
-    else
-        provisional = labelling::label_components(volume, *options.threshold, options.connectivity, labelling_job);
-    labelling::number_by_size(provisional, options.min_voxels, job.part(0.5, 0.55));
-
-    table.labels = {volume.geometry(), provisional.labels};
+                                    options.connectivity, options.min_voxels, job.part(0.03, 0.5));
+        labelling::number_by_size(provisional, options.min_voxels, job.part(0.5, 0.55));
+        table.labels = {volume.geometry(), provisional.labels};
+    } else {
+        table.labels = {volume.geometry(),
+                        labelling::label_components(volume, *options.threshold, options.connectivity,
+                                                    options.min_voxels, job.part(0.03, 0.55))};
+    }
     table.rows = measure_regions(volume, table.labels, options.connectivity, job.part(0.55, 1));
     table.surface_method = "Crofton's formula, 13 directions, weighted for the voxel spacing";
     table.adjacency = describe_adjacency(options.connectivity);
