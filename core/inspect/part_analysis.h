@@ -46,8 +46,8 @@ struct Defect {
     std::uint32_t id = 0;  ///< 1..n by descending volume; the label in PartAnalysis::labels
     DefectType type = DefectType::void_;
     std::int64_t voxels = 0;
-    /// Sub-voxel: inside the surface at `threshold`. The interval spans that volume at thresholds +-10 % of the contrast
-    /// away, the grey-value integral (what a blurred defect had before the blur) and the grid's rounding.
+    /// Sub-voxel: inside the surface at `threshold`. The interval spans that volume at thresholds +-10 % of the
+    /// contrast away, the grey-value integral (what a blurred defect had before the blur) and the grid's rounding.
     Measured volume_mm3;
     double voxel_volume_mm3 = 0;     ///< voxels times the volume of one
     double integral_volume_mm3 = 0;  ///< grey-value integration over the boundary layer: partial volumes summed
@@ -61,9 +61,9 @@ struct Defect {
     Measured area_mm2;                       ///< of its surface: by marching cubes, or Crofton where values are binary
     double surface_crofton_mm2 = 0, surface_mesh_mm2 = 0;
     double sphericity = 0, shape_factor = 0;
-    Measured surface_distance_mm;         ///< to the part's outer surface
-    double gap_mm = 0;                    ///< to the next defect; infinity when there is none
-    glm::dvec3 projected_area_mm2{0};     ///< onto the planes across x, y, z
+    Measured surface_distance_mm;      ///< to the part's outer surface
+    double gap_mm = 0;                 ///< to the next defect; infinity when there is none
+    glm::dvec3 projected_area_mm2{0};  ///< onto the planes across x, y, z
     double mean = 0, min = 0, max = 0, stddev = 0;
     std::int64_t euler = 0, cavities = 0, tunnels = 0;
     double probability = 0;  ///< that it is a defect and no artefact of noise, 0..1
@@ -80,7 +80,7 @@ struct StabilityCurve {
 
 /// What is known of the part as a whole.
 struct PartFacts {
-    double material_threshold = 0;  ///< material is at or above
+    double material_threshold = 0;              ///< material is at or above
     double void_level = 0, material_level = 0;  ///< grey levels of the two sides (modes)
     double noise = 0;                           ///< standard deviation within the material
     double edge_width_mm = 0;                   ///< sigma of the blur, estimated from the surface's edges
@@ -89,7 +89,7 @@ struct PartFacts {
     Measured porosity_percent;  ///< voids' share of the part's volume
     glm::dvec3 bbox_min_mm{0}, bbox_max_mm{0};
     bool has_material = false;
-    bool cut_by_frame = false;           ///< material touches the volume's border
+    bool cut_by_frame = false;          ///< material touches the volume's border
     std::vector<std::string> warnings;  ///< sentences
 };
 

@@ -21,7 +21,7 @@ inline constexpr std::uint32_t k_most_regions = 1u << 22;
 /// Provisional ids 1..n in the scan order of each region's first voxel.
 struct ProvisionalLabels {
     std::shared_ptr<std::vector<std::uint32_t>> labels;  ///< per voxel: id, 0 or k_never
-    std::vector<std::uint64_t> voxels;  ///< per id: voxels of the region; [0] unused
+    std::vector<std::uint64_t> voxels;                   ///< per id: voxels of the region; [0] unused
 };
 
 /// Homogeneous-region growing (Frey & Ertl 2009, section 3): every voxel without a label is, in scan order, the seed of
@@ -33,8 +33,8 @@ struct ProvisionalLabels {
 ProvisionalLabels grow_regions(const Volume& volume, double width, const std::optional<ValueRange>& background,
                                Connectivity connectivity, std::int64_t min_voxels, const JobContext& job);
 
-/// Connected components of the voxels within `range`, by runs of rows: final ids 1..n per voxel by descending size, ties
-/// by first voxel; components under `min_voxels` are 0. @throws Error(bad_usage) beyond k_most_regions
+/// Connected components of the voxels within `range`, by runs of rows: final ids 1..n per voxel by descending size,
+/// ties by first voxel; components under `min_voxels` are 0. @throws Error(bad_usage) beyond k_most_regions
 std::shared_ptr<std::vector<std::uint32_t>> label_components(const Volume& volume, const ValueRange& range,
                                                              Connectivity connectivity, std::int64_t min_voxels,
                                                              const JobContext& job);

@@ -75,9 +75,8 @@ RegionTable find_regions(const Volume& volume, const RegionOptions& options, con
         labelling::number_by_size(provisional, options.min_voxels, job.part(0.5, 0.55));
         table.labels = {volume.geometry(), provisional.labels};
     } else {
-        table.labels = {volume.geometry(),
-                        labelling::label_components(volume, *options.threshold, options.connectivity,
-                                                    options.min_voxels, job.part(0.03, 0.55))};
+        table.labels = {volume.geometry(), labelling::label_components(volume, *options.threshold, options.connectivity,
+                                                                       options.min_voxels, job.part(0.03, 0.55))};
     }
     table.rows = measure_regions(volume, table.labels, options.connectivity, job.part(0.55, 1));
     table.surface_method = "Crofton's formula, 13 directions, weighted for the voxel spacing";

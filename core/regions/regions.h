@@ -72,6 +72,12 @@ std::vector<RegionCharacteristics> measure_regions(const Volume& volume, const L
 /// One closed, outward-oriented surface of a labelled region (marching cubes on its mask, padded), in mm.
 TriangleMesh region_mesh(const LabelVolume& labels, const RegionCharacteristics& region, const JobContext& job = {});
 
+/// The same with its vertices where the volume's values, taken as linear between voxels, leave the closed `range` that
+/// made the region (RegionOptions::threshold); half way where they do not, as towards the frame.
+/// @throws Error(bad_input) if the grids differ
+TriangleMesh region_mesh(const Volume& volume, const ValueRange& range, const LabelVolume& labels,
+                         const RegionCharacteristics& region, const JobContext& job = {});
+
 /// The region as bytes over its box bbox_first..bbox_last (x fastest): 1 inside, 0 elsewhere.
 /// @throws Error(bad_input) if the row's box does not lie in the labels
 std::vector<std::uint8_t> region_mask(const LabelVolume& labels, const RegionCharacteristics& region);

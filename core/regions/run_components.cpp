@@ -177,8 +177,8 @@ MarkRow mark_in_range(const Volume& volume, const ValueRange& range) {
         if constexpr (std::is_integral_v<T>) {
             if (!(lo <= hi)) return mark_where<T>(volume, [](T) { return false; });
             const auto first = std::int32_t(ceiled<T>(lo));
-            const auto last = std::int32_t(std::floor(std::clamp(hi, double(std::numeric_limits<T>::lowest()) - 1,
-                                                                 double(std::numeric_limits<T>::max()))));
+            const auto last = std::int32_t(std::floor(
+                std::clamp(hi, double(std::numeric_limits<T>::lowest()) - 1, double(std::numeric_limits<T>::max()))));
             return mark_where<T>(volume, [=](T v) { return bool(int(v >= first) & int(v <= last)); });
         } else {
             return mark_where<T>(volume, [=](T v) { return bool(int(double(v) >= lo) & int(double(v) <= hi)); });
@@ -205,7 +205,8 @@ MarkRow mark_above(const Volume& volume, double threshold) {
 
 Components join(const RunList& runs, Connectivity connectivity, const JobContext& job) {
     if (runs.count() >= std::numeric_limits<std::uint32_t>::max())
-        throw Error(Errc::out_of_memory, "The volume falls into too many pieces to be counted; smooth or crop it first.");
+        throw Error(Errc::out_of_memory,
+                    "The volume falls into too many pieces to be counted; smooth or crop it first.");
     Components result;
     result.of_run = Joiner(runs, connectivity).run(job);
     std::vector<std::uint32_t>& id = result.of_run;

@@ -47,8 +47,8 @@ MarkRow mark_above(const Volume& volume, double threshold);
 
 /// Which component each run belongs to.
 struct Components {
-    std::vector<std::uint32_t> of_run;   ///< per run: 0..n-1, in the scan order of the components' first voxels
-    std::vector<std::uint64_t> voxels;   ///< per component
+    std::vector<std::uint32_t> of_run;  ///< per run: 0..n-1, in the scan order of the components' first voxels
+    std::vector<std::uint64_t> voxels;  ///< per component
     std::uint32_t count() const { return std::uint32_t(voxels.size()); }
 };
 

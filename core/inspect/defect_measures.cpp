@@ -1,0 +1,304 @@
+#include "core/inspect/defect_measures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "core/regions/bounding_sphere.h"
+#include "core/regions/region_shell.h"
+#include "core/regions/surface_mesher.h"
+
+namespace lacuna::inspect {
+
+namespace {
+
+constexpr double k_pi = std::numbers::pi;
+constexpr double k_shift = 0.1;  ///< of the contrast: the thresholds a volume's interval spans
+
+/// Reads a window's slices as floats; outside the grid NaN.
+class SliceReader {
+public:
+    SliceReader(const Volume& volume, const glm::ivec3& first, const glm::ivec3& extent)
+        : volume_(volume), first_(first), extent_(extent), values_(std::size_t(extent.x) * std::size_t(extent.y)) {}
+
+    const std::vector<float>& read(int z) {
+        std::fill(values_.begin(), values_.end(), std::numeric_limits<float>::quiet_NaN());
+        const glm::ivec3 size = volume_.geometry().size;
+        const int at_z = first_.z + z;
+        if (at_z < 0 || at_z >= size.z) return values_;
+        const int x0 = std::max(0, -first_.x), x1 = std::min(extent_.x, size.x - first_.x);
+        visit_type(volume_.type(), [&](auto tag) {
+            const auto view = volume_.view<decltype(tag)>();
+            for (int y = std::max(0, -first_.y); y < std::min(extent_.y, size.y - first_.y); ++y) {
+                const auto* row = view.row(first_.y + y, at_z);
+                float* to = values_.data() + std::size_t(y) * std::size_t(extent_.x);
+                for (int x = x0; x < x1; ++x) to[x] = float(row[first_.x + x]);
+            }
+        });
+        return values_;
+    }
+
+private:
+    const Volume& volume_;
+    glm::ivec3 first_, extent_;
+    std::vector<float> values_;
+};
+
+/// A voxel beside the region belongs to its boundary layer unless something foreign is nearer.
+bool belongs(const RegionShell::SliceView& at, std::size_t i, int layers) {
+    return at.own[i] <= layers && (at.own[i] <= 1 || at.foreign[i] >= at.own[i]) && at.foreign[i] > 0;
+}
+
+/// Grey values of a region's inside and of the material round it.
+struct Sides {
+    double defect_level, material_level, threshold;
+    std::size_t round = 0;  ///< voxels the material level comes from
+    double n = 0, sum = 0, squares = 0, nan = 0;
+    double min = std::numeric_limits<double>::infinity(), max = -std::numeric_limits<double>::infinity();
+};
+
+double median_of(std::vector<float>& values) {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+void count_value(Sides& sides, float value) {
+    if (!std::isfinite(value)) {
+        ++sides.nan;
+        return;
+    }
+    const double v = value;
+    ++sides.n;
+    sides.sum += v;
+    sides.squares += v * v;
+    sides.min = std::min(sides.min, v);
+    sides.max = std::max(sides.max, v);
+}
+
+/// The local levels: material from two layers of voxels beyond the boundary layer, the defect's from its core where it
+/// has one. Where there are too few voxels, the levels of the whole part stand.
+Sides look_at_sides(const Volume& volume, const LabelVolume& labels, const MaskVolume& part, const Surroundings& s,
+                    const Defect& defect, const JobContext& job) {
+    constexpr std::size_t k_few = 20;
+    const int layers = boundary_layers(s, volume.geometry());
+    RegionShell shell(labels, &part, defect.id, defect.bbox_first, defect.bbox_last, layers + 2);
+    SliceReader reader(volume, shell.first(), shell.extent());
+    std::vector<float> round, core;
+    Sides sides{s.defect_level, s.material_level, s.threshold};
+    for (int z = 0; z < shell.extent().z; ++z) {
+        job.check();
+        const RegionShell::SliceView at = shell.slice(z);
+        const std::vector<float>& values = reader.read(z);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (at.own[i] == 0) count_value(sides, values[i]);
+            if (!std::isfinite(values[i])) continue;
+            if (at.beyond[i] > layers) core.push_back(values[i]);
+            if (at.own[i] > layers && at.own[i] <= layers + 2 && at.foreign[i] > layers + 1) round.push_back(values[i]);
+        }
+    }
+    if (!s.local) return sides;
+    const double contrast = s.material_level - s.defect_level;
+    const auto plausible = [&](double level, double expected) {
+        return std::abs(level - expected) < 0.4 * std::abs(contrast);
+    };
+    if (round.size() >= k_few)
+        if (const double level = median_of(round); plausible(level, s.material_level))
+            sides.material_level = level, sides.round = round.size();
+    if (core.size() >= k_few)
+        if (const double level = median_of(core); plausible(level, s.defect_level)) sides.defect_level = level;
+    sides.threshold = (sides.material_level + sides.defect_level) / 2;
+    return sides;
+}
+
+SurfaceLevel level_for(DefectType type, double threshold) {
+    SurfaceLevel level;
+    if (type == DefectType::void_)
+        level.hi = float(threshold);
+    else
+        level.lo = float(threshold);
+    return level;
+}
+
+/// Surfaces at several thresholds and the grey-value integral, in one walk.
+struct Walk {
+    std::vector<TriangleMesh> meshes;
+    double integral_voxels = 0;
+    double boundary_voxels = 0;  ///< summed by their grey value
+};
+
+Walk walk_surfaces(const Volume& volume, const LabelVolume& labels, const MaskVolume& part, const Surroundings& s,
+                   std::uint32_t id, const glm::ivec3& bbox_first, const glm::ivec3& bbox_last,
+                   const std::vector<double>& thresholds, double defect_level, double material_level,
+                   const JobContext& job) {
+    const int layers = boundary_layers(s, volume.geometry());
+    RegionShell shell(labels, &part, id, bbox_first, bbox_last, layers);
+    SliceReader reader(volume, shell.first(), shell.extent());
+    std::vector<SurfaceMesher> meshers;
+    for (const double t : thresholds)
+        meshers.emplace_back(shell.extent(), shell.first(), volume.geometry(), level_for(s.type, t));
+    const std::size_t plane = std::size_t(shell.extent().x) * std::size_t(shell.extent().y);
+    std::vector<std::uint8_t> inside(plane), mine(plane);
+    const double sign = s.type == DefectType::void_ ? 1 : -1;
+    Walk walk;
+    for (int z = 0; z < shell.extent().z; ++z) {
+        job.check();
+        const RegionShell::SliceView at = shell.slice(z);
+        const std::vector<float>& values = reader.read(z);
+        for (std::size_t i = 0; i < plane; ++i) {
+            const bool own = at.own[i] == 0, known = std::isfinite(values[i]);
+            mine[i] = own || (known && belongs(at, i, layers));
+            if (!mine[i]) continue;
+            if (!known || at.beyond[i] > layers) {
+                walk.integral_voxels += 1;
+            } else {
+                walk.integral_voxels += (material_level - double(values[i])) / (material_level - defect_level);
+                walk.boundary_voxels += 1;
+            }
+        }
+        for (std::size_t k = 0; k < meshers.size(); ++k) {
+            const double limit = sign * thresholds[k];
+            for (std::size_t i = 0; i < plane; ++i) inside[i] = mine[i] && !(sign * double(values[i]) >= limit);
+            meshers[k].push(inside.data(), values.data());
+        }
+    }
+    for (SurfaceMesher& mesher : meshers) walk.meshes.push_back(mesher.finish());
+    return walk;
+}
+
+Measured hull(double value, std::initializer_list<double> others, double margin) {
+    Measured m{value, value, value};
+    for (const double other : others) m.lo = std::min(m.lo, other), m.hi = std::max(m.hi, other);
+    m.lo = std::max(0.0, m.lo - margin);
+    m.hi += margin;
+    return m;
+}
+
+double ball_diameter(double volume) { return std::cbrt(6 * std::max(0.0, volume) / k_pi); }
+
+void set_values(Defect& defect, const Sides& sides) {
+    if (sides.nan > 0) defect.flags.emplace_back("holds_nan");
+    if (!(sides.n > 0)) {
+        defect.mean = defect.min = defect.max = defect.stddev = std::numeric_limits<double>::quiet_NaN();
+        return;
+    }
+    defect.mean = sides.sum / sides.n;
+    defect.min = sides.min;
+    defect.max = sides.max;
+    defect.stddev = std::sqrt(std::max(0.0, sides.squares / sides.n - defect.mean * defect.mean));
+}
+
+/// What is impossible is set right and said: no body has less surface than the ball of its volume.
+void set_shape(Defect& defect) {
+    const double v = defect.volume_mm3.value, d = ball_diameter(v), ball_mm2 = k_pi * d * d;
+    if (!(defect.area_mm2.value >= ball_mm2)) {
+        defect.area_mm2.value = ball_mm2;
+        defect.area_mm2.lo = std::min(defect.area_mm2.lo, ball_mm2);
+        defect.area_mm2.hi = std::max(defect.area_mm2.hi, ball_mm2);
+        defect.flags.emplace_back("surface_clamped");
+    }
+    const double a = defect.area_mm2.value;
+    defect.shape_factor = v > 0 ? std::max(36 * k_pi, a / v * a / v * a) : std::numeric_limits<double>::quiet_NaN();
+    defect.sphericity = a > 0 ? std::min(1.0, ball_mm2 / a) : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+int boundary_layers(const Surroundings& s, const GridGeometry& geometry) {
+    if (s.binary) return 2;
+    return std::clamp(int(std::ceil(2 * s.sigma_mm / geometry.smallest_spacing_mm())) + 1, 2, 4);
+}
+
+TriangleMesh surface_at(const Volume& volume, const LabelVolume& labels, const MaskVolume& part, const Surroundings& s,
+                        std::uint32_t id, const glm::ivec3& bbox_first, const glm::ivec3& bbox_last, double threshold,
+                        const JobContext& job) {
+    Walk walk = walk_surfaces(volume, labels, part, s, id, bbox_first, bbox_last, {threshold}, s.defect_level,
+                              s.material_level, job);
+    return std::move(walk.meshes.front());
+}
+
+void measure_by_values(const Volume& volume, const LabelVolume& labels, const MaskVolume& part, const Surroundings& s,
+                       Defect& defect, std::vector<PointTree::Point>& points, const JobContext& job) {
+    const GridGeometry& geometry = volume.geometry();
+    const double voxel = geometry.voxel_volume_mm3(), h = std::cbrt(voxel);
+    const Sides sides = look_at_sides(volume, labels, part, s, defect, job);
+    set_values(defect, sides);
+    defect.threshold = sides.threshold;
+    const double contrast = sides.material_level - sides.defect_level;
+    const Walk walk =
+        walk_surfaces(volume, labels, part, s, defect.id, defect.bbox_first, defect.bbox_last,
+                      {sides.threshold, sides.threshold - k_shift * contrast, sides.threshold + k_shift * contrast},
+                      sides.defect_level, sides.material_level, job);
+
+    std::array<double, 3> volume_mm3, area, diameter;
+    for (std::size_t k = 0; k < 3; ++k) {
+        volume_mm3[k] = enclosed_volume_mm3(walk.meshes[k]);
+        area[k] = area_mm2(walk.meshes[k]);
+        diameter[k] = 2 * smallest_enclosing_sphere(walk.meshes[k].vertices).radius;
+    }
+    defect.voxel_volume_mm3 = double(defect.voxels) * voxel;
+    defect.integral_volume_mm3 = std::max(0.0, walk.integral_voxels) * voxel;
+    defect.surface_mesh_mm2 = area[0];
+
+    // Noise: each summed voxel's own, and that of the material level they are all held against.
+    const double relative = s.noise / std::abs(contrast);
+    const double integral_noise =
+        relative * voxel * std::sqrt(walk.boundary_voxels) +
+        (sides.round ? relative * voxel * walk.boundary_voxels / std::sqrt(double(sides.round)) : 0);
+    const double smooth_area =
+        std::max(defect.surface_crofton_mm2, std::min(area[0], 1.5 * defect.surface_crofton_mm2));
+    const double rounding = (s.binary ? 0.15 : 0.03) * h * smooth_area;
+    const double by_surface = s.binary ? defect.integral_volume_mm3 : volume_mm3[0];
+    defect.volume_mm3 = hull(
+        by_surface,
+        {volume_mm3[0], volume_mm3[1], volume_mm3[2], std::max(0.0, defect.integral_volume_mm3 - 2 * integral_noise),
+         defect.integral_volume_mm3 + 2 * integral_noise},
+        rounding);
+    defect.equivalent_diameter_mm = {ball_diameter(defect.volume_mm3.value), ball_diameter(defect.volume_mm3.lo),
+                                     ball_diameter(defect.volume_mm3.hi)};
+    const double coarsest = std::max({geometry.spacing.x, geometry.spacing.y, geometry.spacing.z});
+    const double jitter = 2 * relative * s.sigma_mm * std::sqrt(2 * k_pi);
+    defect.diameter_mm =
+        hull(diameter[0], {diameter[1], diameter[2]}, s.binary ? 0.6 * coarsest : 0.1 * coarsest + 2 * jitter);
+    defect.area_mm2 = hull(s.binary ? defect.surface_crofton_mm2 : area[0],
+                           {area[0], area[1], area[2], defect.surface_crofton_mm2}, 0.03 * smooth_area);
+    set_shape(defect);
+    for (const glm::dvec3& v : walk.meshes[0].vertices) points.push_back({glm::vec3(v), defect.id});
+    if (walk.meshes[0].vertices.empty())  // too faint for a surface at the local level: its centre stands for it
+        points.push_back({glm::vec3(defect.centroid_mm), defect.id});
+}
+
+glm::dvec3 projected_areas_mm2(const LabelVolume& labels, std::uint32_t id, const glm::ivec3& bbox_first,
+                               const glm::ivec3& bbox_last) {
+    const glm::ivec3 n = bbox_last - bbox_first + 1;
+    std::vector<std::uint8_t> along_x(std::size_t(n.y) * std::size_t(n.z)),
+        along_y(std::size_t(n.x) * std::size_t(n.z)), along_z(std::size_t(n.x) * std::size_t(n.y));
+    for (int z = 0; z < n.z; ++z)
+        for (int y = 0; y < n.y; ++y) {
+            const std::uint32_t* row =
+                labels.labels->data() + labels.geometry.linear_index(bbox_first.x, bbox_first.y + y, bbox_first.z + z);
+            for (int x = 0; x < n.x; ++x) {
+                if (row[x] != id) continue;
+                along_x[std::size_t(z) * std::size_t(n.y) + std::size_t(y)] = 1;
+                along_y[std::size_t(z) * std::size_t(n.x) + std::size_t(x)] = 1;
+                along_z[std::size_t(y) * std::size_t(n.x) + std::size_t(x)] = 1;
+            }
+        }
+    const auto sum = [](const std::vector<std::uint8_t>& shadow) {
+        return double(std::count(shadow.begin(), shadow.end(), 1));
+    };
+    const glm::dvec3 h = labels.geometry.spacing;
+    return {sum(along_x) * h.y * h.z, sum(along_y) * h.x * h.z, sum(along_z) * h.x * h.y};
+}
+
+double expected_by_chance(std::int64_t voxels, double depth, double noise, double trials) {
+    if (!(noise > 0)) return 0;
+    constexpr double k_shapes = 35;
+    const double p = 0.5 * std::erfc(depth / noise / std::numbers::sqrt2);
+    if (!(p > 0)) return 0;
+    return std::exp(std::log(trials) + double(voxels - 1) * std::log(k_shapes) + double(voxels) * std::log(p));
+}
+
+}  // namespace lacuna::inspect

@@ -1,0 +1,72 @@
+#include "core/inspect/stability.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/inspect/void_scan.h"
+
+namespace lacuna::inspect {
+
+namespace {
+
+constexpr int k_points = 17;
+constexpr double k_first = 0.2, k_last = 0.8;  ///< of the contrast
+constexpr double k_steady = 0.1, k_shortest = 0.15;
+
+bool is_steady(const std::vector<double>& values, std::size_t first, std::size_t last, double slack) {
+    const auto [lo, hi] =
+        std::minmax_element(values.begin() + std::ptrdiff_t(first), values.begin() + std::ptrdiff_t(last) + 1);
+    const double middle = (*lo + *hi) / 2;
+    return *hi - middle <= std::max(k_steady * middle, slack);
+}
+
+}  // namespace
+
+double StabilitySweep::part_voxels_at(double threshold) const {
+    const std::vector<double>& t = curve.threshold;
+    if (t.empty()) return 0;
+    if (!(threshold > t.front())) return part_voxels.front();
+    if (!(threshold < t.back())) return part_voxels.back();
+    const auto k = std::size_t(std::upper_bound(t.begin(), t.end(), threshold) - t.begin());
+    const double share = (threshold - t[k - 1]) / (t[k] - t[k - 1]);
+    return part_voxels[k - 1] + share * (part_voxels[k] - part_voxels[k - 1]);
+}
+
+ValueRange find_plateau(const StabilityCurve& curve, double contrast) {
+    ValueRange best{0, -1};
+    for (std::size_t first = 0; first < curve.threshold.size(); ++first)
+        for (std::size_t last = first + 1; last < curve.threshold.size(); ++last) {
+            if (!is_steady(curve.porosity_percent, first, last, 1e-9) || !is_steady(curve.count, first, last, 1)) break;
+            const double length = curve.threshold[last] - curve.threshold[first];
+            // Of two equally long ones the first stands: rounding must not choose.
+            if (length >= k_shortest * contrast * (1 - 1e-9) && length > best.width() + 1e-9 * contrast)
+                best = {curve.threshold[first], curve.threshold[last]};
+        }
+    return best;
+}
+
+StabilitySweep sweep_thresholds(const Volume& volume, const GreyLevels& levels, bool filled, Connectivity connectivity,
+                                std::int64_t min_voxels, const JobContext& job) {
+    StabilitySweep sweep;
+    for (int i = 0; i < k_points; ++i) {
+        const JobContext step = job.part(double(i) / k_points, double(i + 1) / k_points);
+        const double t = levels.air + levels.contrast() * (k_first + (k_last - k_first) * i / (k_points - 1));
+        const VoidScan scan = scan_voids(volume, t, filled, connectivity, step.part(0, 0.7));
+        const PartRuns part = find_part(scan, connectivity, step.part(0.7, 0.9));
+        double count = 0, voids = 0;
+        for (std::size_t c = 0; c < scan.kind.size(); ++c) {
+            if (scan.kind[c] == Space::outside || scan.components.voxels[c] < std::uint64_t(min_voxels)) continue;
+            count += 1;
+            voids += double(scan.components.voxels[c]);
+        }
+        sweep.curve.threshold.push_back(t);
+        sweep.curve.porosity_percent.push_back(part.voxels > 0 ? 100 * voids / double(part.voxels) : 0);
+        sweep.curve.count.push_back(count);
+        sweep.curve.euler.push_back(double(euler_of_voids(scan, connectivity, min_voxels)));
+        sweep.part_voxels.push_back(double(part.voxels));
+    }
+    sweep.curve.plateau = find_plateau(sweep.curve, levels.contrast());
+    return sweep;
+}
+
+}  // namespace lacuna::inspect
