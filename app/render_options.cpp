@@ -62,6 +62,9 @@ void RenderOptions::add_to(CLI::App& command) {
     word("--homogeneity", words_.homogeneity, "T[,A]: opacities (octree: values) and angles that count as equal");
     word("--sparse", words_.sparse,
          "K[,G]: cast every K-th pixel, all where colours differ by more than G (0..1, default 0.02)");
+    word("--directions", words_.directions, "regions of viewing directions of shear-warp: 6 or 24 (default)");
+    word("--voxel-gradient", words_.voxel_gradient,
+         "normals of shear-warp with --sampler nearest: central, sobel (default) or gaussian");
     word("--ert", words_.ert, "stop when opacity exceeds 1-E; 0: never (default 0.002)");
     words("--effects", words_.effects,
           "name[=v[,v..]],..: ssao, ao, dof, gamma, tonemap, brightness, contrast, in this order (docs/effects.md)");
@@ -154,6 +157,12 @@ void RenderOptions::parse_plan() {
         if (v.size() > 1 && !(v[1] >= 0 && v[1] <= 180))
             refuse("--homogeneity", text, "an angle from 0 to 180 degrees");
     }
+    if (words_.directions) {
+        directions_ = int(parse_integer("--directions", *words_.directions, 6, 24));
+        if (*directions_ != 6 && *directions_ != 24) refuse("--directions", *words_.directions, "6 or 24");
+    }
+    if (words_.voxel_gradient)
+        voxel_gradient_ = for_flag("--voxel-gradient", [&] { return parse_voxel_gradient(*words_.voxel_gradient); });
     if (words_.gradient) {
         const std::string& g = *words_.gradient;
         if (g != "central" && g != "on-the-fly" && g != "central,on-the-fly" && g != "on-the-fly,central")
@@ -248,6 +257,8 @@ Plan RenderOptions::plan(const Scene& scene) const {
     take(plan.cells, cells_, "--cells");
     take(plan.sparse, sparse_, "--sparse");
     if (sparse_gradient_) plan.sparse_gradient = *sparse_gradient_;
+    take(plan.directions, directions_, "--directions");
+    take(plan.voxel_gradient, voxel_gradient_, "--voxel-gradient");
     take(plan.homogeneity, homogeneity_, "--homogeneity");
     if (homogeneity_angle_) plan.homogeneity_angle_deg = *homogeneity_angle_;
     return plan;

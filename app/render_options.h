@@ -47,7 +47,7 @@ private:
     struct Words {
         std::optional<std::string> mode, iso, tf, window, shading, lmip_threshold, size, azimuth, elevation, roll, zoom,
             center, perspective, step, sampler, gradient, refine, refine_steps, structure, cells, homogeneity, sparse,
-            ert, turntable;
+            ert, turntable, directions, voxel_gradient;
         std::vector<std::string> ranges, cuts, effects;
     };
 
@@ -64,6 +64,8 @@ private:
     std::optional<double> iso_, lmip_threshold_, step_, ert_, homogeneity_, homogeneity_angle_;
     std::optional<int> cells_, sparse_;
     std::optional<double> sparse_gradient_;
+    std::optional<int> directions_;
+    std::optional<VoxelGradient> voxel_gradient_;
     std::optional<ValueRange> window_;
     std::optional<Shading> shading_;
     std::optional<TfChoice> tf_;

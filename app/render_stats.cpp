@@ -59,6 +59,8 @@ ordered_json plan_json(const Scene& scene, const Plan& plan) {
             {"sparse", plan.sparse >= 2 ? ordered_json(plan.sparse) : ordered_json(nullptr)},
             {"sparse_gradient", plan.sparse >= 2 ? ordered_json(plan.sparse_gradient) : ordered_json(nullptr)},
             {"cells", plan.cells},
+            {"directions", plan.directions},
+            {"voxel_gradient", std::string(name_of(plan.voxel_gradient))},
             {"homogeneity", plan.homogeneity},
             {"homogeneity_angle", plan.homogeneity_angle_deg},
             {"why", plan.why}};

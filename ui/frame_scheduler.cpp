@@ -89,7 +89,10 @@ void FrameScheduler::start(bool coarse) {
     Scene scene = *scene_;
     Plan plan = plan_;
     const int divisor = coarse ? divisor_ : 1;
-    const bool complete = divisor == 1;  // fast enough to need no coarse frame before it
+    // Shear-warp paints whole voxels while the view moves; the still picture is another one.
+    const bool draft = coarse && scene.mode == ViewMode::shear_warp && plan.sampler != Sampler::nearest;
+    if (draft) plan.sampler = Sampler::nearest;
+    const bool complete = divisor == 1 && !draft;  // fast enough to need no coarse frame before it
     scene.size = {std::max(1, size_.width() / divisor), std::max(1, size_.height() / divisor)};
     if (!complete && scene.mode != ViewMode::shear_warp) plan.step = std::max(plan.step, std::min(1.0, 2 * plan.step));
     coarse_running_ = coarse;
@@ -113,7 +116,7 @@ void FrameScheduler::finish(bool coarse, bool complete, Outcome<RenderResult> ou
         return;
     }
     const RenderResult& result = std::get<RenderResult>(outcome);
-    adapt(result);
+    if (coarse || scene_->mode != ViewMode::shear_warp) adapt(result);
     FrameFacts facts;
     facts.coarse = !complete;
     facts.ms = result.frame.ms;

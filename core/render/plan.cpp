@@ -21,6 +21,8 @@ constexpr NameTable<Refinement, 4> k_refinement_names{{{Refinement::none, "none"
                                                        {Refinement::bisect, "bisect"},
                                                        {Refinement::regula_falsi, "regula-falsi"},
                                                        {Refinement::newton, "newton"}}};
+constexpr NameTable<VoxelGradient, 3> k_voxel_gradient_names{
+    {{VoxelGradient::central, "central"}, {VoxelGradient::sobel, "sobel"}, {VoxelGradient::gaussian, "gaussian"}}};
 
 constexpr double k_min_step = 0.01, k_max_step = 100;
 constexpr int k_max_refine_steps = 64;
@@ -30,9 +32,13 @@ constexpr int k_max_refine_steps = 64;
 std::string_view name_of(Structure structure) { return name_in(k_structure_names, structure); }
 std::string_view name_of(Sampler sampler) { return name_in(k_sampler_names, sampler); }
 std::string_view name_of(Refinement refinement) { return name_in(k_refinement_names, refinement); }
+std::string_view name_of(VoxelGradient filter) { return name_in(k_voxel_gradient_names, filter); }
 Structure parse_structure(std::string_view text) { return parse_name(k_structure_names, text, "structure"); }
 Sampler parse_sampler(std::string_view text) { return parse_name(k_sampler_names, text, "sampler"); }
 Refinement parse_refinement(std::string_view text) { return parse_name(k_refinement_names, text, "refinement"); }
+VoxelGradient parse_voxel_gradient(std::string_view text) {
+    return parse_name(k_voxel_gradient_names, text, "voxel gradient");
+}
 
 Plan default_plan(const Scene& scene) {
     Plan plan;
@@ -40,10 +46,12 @@ Plan default_plan(const Scene& scene) {
     switch (scene.mode) {
         case ViewMode::shear_warp:
             plan.structure = Structure::visible;
-            plan.sampler = Sampler::nearest;
             plan.refine = Refinement::none;
-            plan.why = {"Visible voxels: shear-warp paints the surface voxels one viewing direction can see.",
-                        "No distances: no ray is cast."};
+            plan.why = {
+                "Visible voxels: shear-warp paints the surface voxels that 1 of 24 regions of viewing directions can "
+                "see; 2x2 predecessors list about half as many as the 3x3 of 6 regions.",
+                "Bilinear within the slices for a still picture; nearest is the faster one while the view moves.",
+                "No distances: no ray is cast."};
             return plan;
         case ViewMode::iso:
             plan.structure = Structure::acd;
@@ -107,6 +115,8 @@ void check(const Plan& plan, const Scene& scene) {
         throw Error(Errc::bad_usage, "The colour gradient of sparse casting must not be negative.");
     if (plan.sparse != 0 && scene.mode == ViewMode::shear_warp)
         throw Error(Errc::bad_usage, "Sparse casting skips rays; shear-warp casts none. Leave one of them out.");
+    if (plan.directions != 6 && plan.directions != 24)
+        throw Error(Errc::bad_usage, "Shear-warp divides the viewing directions into 6 or 24 regions.");
     const bool shear_warp = scene.mode == ViewMode::shear_warp;
     if (shear_warp != (plan.structure == Structure::visible))
         throw Error(Errc::bad_usage, "The structure '" + std::string(name_of(plan.structure)) +

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/accel/voxel_normals.h"
 #include "core/render/scene.h"
 
 namespace lacuna {
@@ -30,16 +31,20 @@ struct Plan {
     int cells = 8;   ///< voxels a macro-cell edge for pc, acd, eacd: 4, 8, 16; 1: a field a voxel, as published
     int sparse = 0;  ///< cast every k-th pixel, refine at edges (Lesar 2015); below 2: every pixel
     double sparse_gradient = 0.02;  ///< colour difference (0..1) between cast pixels above which all between are cast
-    std::vector<std::string> why;   ///< one sentence a choice, and what was not built
+    int directions = 24;  ///< shear_warp: regions of viewing directions visible voxels are listed for, 6 or 24
+    VoxelGradient voxel_gradient = VoxelGradient::sobel;  ///< shear_warp, nearest: normals of the listed voxels
+    std::vector<std::string> why;                         ///< one sentence a choice, and what was not built
 };
 
 std::string_view name_of(Structure structure);
 std::string_view name_of(Sampler sampler);
 std::string_view name_of(Refinement refinement);
+std::string_view name_of(VoxelGradient filter);
 /// @throws Error(bad_usage) listing the known names
 Structure parse_structure(std::string_view text);
 Sampler parse_sampler(std::string_view text);
 Refinement parse_refinement(std::string_view text);
+VoxelGradient parse_voxel_gradient(std::string_view text);
 
 /// The least structure that serves the scene's mode, with its reasons.
 Plan default_plan(const Scene& scene);

@@ -54,7 +54,8 @@ struct Highlight {
 ///   infinity for mean. lmip: the first local maximum at or above lmip_threshold along the counted samples (a sample
 ///   not smaller than the threshold whose counted successor is smaller, or that is the last); the largest sample where
 ///   none reaches the threshold.
-/// shear_warp: the iso surface's voxels by shear-warp (Csebfalvi et al. 1999); orthographic only.
+/// shear_warp: the iso surface by shear-warp of its visible voxels (Csebfalvi et al. 1999), see shear_warp.h;
+///   orthographic only.
 /// Headlight shading, two-sided: with c = |n.v|, lambert gives colour * (0.2 + 0.8 c), phong
 ///   colour * (0.2 + 0.7 c) + 0.3 c^20; n is the gradient's direction (central differences over one voxel each way, of
 ///   the trilinear reconstruction whatever the sampler, in mm). A gradient that is zero or NaN counts as c = 0 and as

@@ -1,161 +1,127 @@
 #include "core/render/shear_warp.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <limits>
 
 #include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/render/shading.h"
+#include "core/render/shear_cells.h"
 
 namespace lacuna {
 
 namespace {
 
-constexpr std::uint32_t k_no_voxel = std::numeric_limits<std::uint32_t>::max();
-constexpr float k_nothing = std::numeric_limits<float>::infinity();
+constexpr float k_cap_shade = 2;  ///< above any factor of the surface colour
 
-Solid solid_of(const Scene& scene) {
+Solid solid_of(const Scene& scene, const Plan& plan) {
     Solid solid;
     solid.iso = scene.iso;
     for (const SegmentationRange& range : scene.classification.ranges) solid.ranges.push_back(range.range);
     for (const CuttingPlane& cut : scene.cuts) solid.cuts.push_back({cut.normal, cut.offset, cut.cap});
+    solid.gradient = plan.voxel_gradient;
     return solid;
 }
 
-/// The shear factorisation of an orthographic view: voxel (u, v) of slice c falls on intermediate pixel
-/// (u, v) + offset(c), within half a pixel.
-struct Shear {
-    SliceDirection direction;
-    glm::dvec2 slope{0};                   ///< shift of u and v a slice, at most 1 each way
-    glm::dvec2 shift{0};                   ///< puts the leftmost slice at pixel 1
-    glm::ivec2 size{0};                    ///< of the intermediate image
-    glm::dvec2 at_first{0};                ///< intermediate position of the picture's pixel (0, 0)
-    glm::dvec2 per_column{0}, per_row{0};  ///< and its change from pixel to pixel: the warp
-    double depth_first = 0;  ///< depth half a slice before voxel (0, 0, 0), mm, and its change along u, v and the axis
-    glm::dvec3 depth_per_voxel{0};
-
-    glm::ivec2 offset(int slice) const { return glm::ivec2(glm::floor(shift - double(slice) * slope + 0.5)); }
-    glm::dvec2 sheared(const GridGeometry& geometry, const glm::dvec3& mm) const {
-        const glm::dvec3 voxel = geometry.mm_to_voxel(mm);
-        return glm::dvec2(voxel[direction.u_axis()], voxel[direction.v_axis()]) - voxel[direction.axis] * slope + shift;
-    }
-};
-
-Shear factor(const ViewRays& rays, const GridGeometry& geometry) {
-    const glm::dvec3 along = geometry.vector_to_voxel(rays.forward);
-    Shear shear;
-    int axis = 0;
-    for (int other = 1; other < 3; ++other)
-        if (std::fabs(along[other]) > std::fabs(along[axis])) axis = other;
-    shear.direction = {axis, along[axis] > 0};
-    const int u = shear.direction.u_axis(), v = shear.direction.v_axis();
-    shear.slope = glm::dvec2(along[u], along[v]) / along[axis];
-
-    const double last = geometry.size[axis] - 1;
-    shear.shift = glm::ceil(glm::max(last * shear.slope, glm::dvec2(0))) + 1.0;
-    shear.size =
-        glm::ivec2(geometry.size[u], geometry.size[v]) + glm::ivec2(glm::ceil(last * glm::abs(shear.slope))) + 3;
-
-    shear.at_first = shear.sheared(geometry, rays.origin(0, 0));
-    shear.per_column = shear.sheared(geometry, rays.origin(1, 0)) - shear.at_first;
-    shear.per_row = shear.sheared(geometry, rays.origin(0, 1)) - shear.at_first;
-
-    const auto depth_of = [&](glm::dvec3 voxel) {
-        return glm::dot(geometry.voxel_to_mm(voxel) - rays.eye, rays.forward);
-    };
-    const double at_origin = depth_of({0, 0, 0});
-    for (const int a : {u, v, axis}) {
-        glm::dvec3 one(0);
-        one[a] = 1;
-        shear.depth_per_voxel[a == u ? 0 : a == v ? 1 : 2] = depth_of(one) - at_origin;
-    }
-    // The surface lies 0 to 1 slices before the centre of the first voxel inside: half a slice is the best guess.
-    shear.depth_first = at_origin - 0.5 / std::fabs(along[axis]);
-    return shear;
+float facing(const VoxelLook& look, const glm::vec3& direction_grid) {
+    const glm::vec3 normal(look.normal[0], look.normal[1], look.normal[2]);
+    return std::fmin(std::fabs(glm::dot(normal, direction_grid)) / 32767, 1.0f);
 }
 
-/// The intermediate image: which voxel shows in each pixel and how deep it lies.
-struct Intermediate {
-    explicit Intermediate(glm::ivec2 image_size)
-        : size(image_size),
-          voxel(std::size_t(size.x) * std::size_t(size.y), k_no_voxel),
-          depth_mm(voxel.size(), k_nothing),
-          color(voxel.size(), glm::vec4(0)) {}
-    glm::ivec2 size;
-    std::vector<std::uint32_t> voxel;
-    std::vector<float> depth_mm;
-    std::vector<glm::vec4> color;
-};
-
-/// Paints rows [first, last) back to front. Bands of rows never meet, so the picture is the same on any number of
-/// threads.
-void paint_band(const VisibleVoxels& lists, const Shear& shear, Intermediate& image, int first, int last,
+/// Paints rows [first, last) back to front, key_of(number of the voxel) into each pixel. Bands of rows never meet, so
+/// the picture is the same on any number of threads.
+template <class KeyOf>
+void paint_band(const VisibleVoxels& lists, const Shear& shear, ShearImage& image, int first, int last, KeyOf&& key_of,
                 const JobContext& job) {
+    for (int y = first; y < last; ++y)
+        std::fill_n(image.painted.begin() + std::ptrdiff_t(image.row(y)), image.size.x, ShearImage::Painted{});
+    // The surface lies 0 to 1 slices before the centre of the first voxel inside: half a slice is the best guess.
+    const double origin = shear.depth_mm(0, 0, 0) - 0.5 * shear.slice_mm;
+    const auto per_column = float(shear.depth_per_voxel_mm.x);
     for (int k = 0; k < lists.slices; ++k) {
+        const int c = shear.direction.from_low ? lists.slices - 1 - k : k;
+        if (lists.slice_empty(c)) continue;
         job.check();
-        const int c = lists.direction.from_low ? lists.slices - 1 - k : k;
-        const glm::ivec2 offset = shear.offset(c);
+        const glm::ivec2 offset(glm::floor(shear.place(c) + 0.5));
         const int v_end = std::min(last - offset.y, lists.rows);
         for (int v = std::max(first - offset.y, 0); v < v_end; ++v) {
             const std::size_t row = std::size_t(c) * std::size_t(lists.rows) + std::size_t(v);
-            const std::size_t at = std::size_t(v + offset.y) * std::size_t(image.size.x) + std::size_t(offset.x);
-            const double depth = shear.depth_first + v * shear.depth_per_voxel.y + c * shear.depth_per_voxel.z;
+            ShearImage::Painted* to = image.painted.data() + image.row(v + offset.y) + offset.x;
+            const auto depth = float(origin + v * shear.depth_per_voxel_mm.y + c * shear.depth_per_voxel_mm.z);
             for (std::uint32_t i = lists.row_begin[row]; i < lists.row_begin[row + 1]; ++i) {
                 const std::uint16_t u = lists.column[i];
-                image.voxel[at + u] = i;
-                image.depth_mm[at + u] = float(depth + u * shear.depth_per_voxel.x);
+                to[u] = {key_of(i), depth + u * per_column};
             }
         }
     }
 }
 
-glm::vec4 look_of(const VoxelLook& look, const Scene& scene, const glm::dvec3& direction_grid) {
-    if (look.kind == VoxelLook::cap) return glm::vec4(glm::vec3(float(grey_level(scene.window, look.value))), 1);
-    const glm::dvec3 normal = glm::dvec3(look.normal[0], look.normal[1], look.normal[2]) / 32767.0;
-    const double c = std::fmin(std::fabs(glm::dot(normal, direction_grid)), 1);
-    return glm::vec4(glm::vec3(shade(scene.shading, scene.surface_color, c)), 1);
-}
-
-/// The picture's pixel at a position of the intermediate image: bilinear in colour; the depth of the nearest covered
-/// corner where at least half of the pixel is covered.
-void warp_pixel(const Intermediate& image, const glm::dvec2& at, glm::vec4& color, float& depth) {
-    const glm::dvec2 base = glm::floor(at);
-    const glm::ivec2 i(base);
-    const glm::vec2 f(at - base);
-    float heaviest = 0, nearest = k_nothing;
-    for (int corner = 0; corner < 4; ++corner) {
-        const int x = i.x + (corner & 1), y = i.y + (corner >> 1);
-        if (x < 0 || y < 0 || x >= image.size.x || y >= image.size.y) continue;
-        const float weight = (corner & 1 ? f.x : 1 - f.x) * (corner >> 1 ? f.y : 1 - f.y);
-        const std::size_t from = std::size_t(y) * std::size_t(image.size.x) + std::size_t(x);
-        color += weight * image.color[from];
-        if (image.color[from].a > 0 && weight > heaviest) {
-            heaviest = weight;
-            nearest = image.depth_mm[from];
-        }
+/// Turns what is painted in rows [first, last) into colours.
+template <class ColorOf>
+void color_band(ShearImage& image, int first, int last, ColorOf&& color_of) {
+    const std::size_t end = image.row(last);
+    for (std::size_t at = image.row(first); at < end; ++at) {
+        const ShearImage::Painted& painted = image.painted[at];
+        image.color[at] = painted.depth_mm < ShearImage::k_nothing ? color_of(painted.key) : glm::vec4(0);
     }
-    if (color.a >= 0.5f) depth = nearest;
-}
-
-void warp(const Intermediate& image, const Shear& shear, Frame& frame, const JobContext& job) {
-    std::vector<std::uint64_t> met(std::size_t(frame.size.y));
-    parallel_for(
-        0, frame.size.y,
-        [&](std::int64_t y) {
-            for (int x = 0; x < frame.size.x; ++x) {
-                const glm::dvec2 at = shear.at_first + double(x) * shear.per_column + double(y) * shear.per_row;
-                if (!(at.x > -1 && at.y > -1 && at.x < image.size.x && at.y < image.size.y)) continue;
-                const std::size_t to = std::size_t(y) * std::size_t(frame.size.x) + std::size_t(x);
-                warp_pixel(image, at, frame.color[to], frame.depth_mm[to]);
-                ++met[std::size_t(y)];
-            }
-        },
-        job);
-    for (const std::uint64_t row : met) frame.counters.rays += row;
 }
 
 }  // namespace
+
+/// Lambert's shades: the light moves with the eye, so they hold for one viewing direction, whatever the zoom.
+void ShearWarpRenderer::bake(const std::shared_ptr<const VisibleVoxels>& lists, const Scene& scene,
+                             const glm::dvec3& direction_grid) {
+    const Baked wanted{lists, direction_grid, scene.shading, scene.window};
+    if (baked_ == wanted) return;
+    baked_ = {};
+    shade_.resize(lists->look.size());
+    const glm::vec3 direction(direction_grid);
+    parallel_bands(0, std::int64_t(shade_.size()), thread_count(), [&](std::int64_t first, std::int64_t last) {
+        for (std::int64_t n = first; n < last; ++n) {
+            const auto i = std::size_t(n);
+            const VoxelLook& look = lists->look[i];
+            if (look.kind == VoxelLook::cap)
+                shade_[i] = k_cap_shade + float(grey_level(scene.window, look.value));
+            else
+                shade_[i] = scene.shading == Shading::none ? 1.0f : 0.2f + 0.8f * facing(look, direction);
+        }
+    });
+    baked_ = wanted;
+}
+
+void ShearWarpRenderer::paint_voxels(const std::shared_ptr<const VisibleVoxels>& lists, const Scene& scene,
+                                     const glm::dvec3& forward, const Shear& shear, const JobContext& job) {
+    const glm::dvec3 direction_grid = glm::transpose(scene.volume.geometry().direction) * forward;
+    const glm::vec3 surface(scene.surface_color), direction(direction_grid);
+    const bool deferred = scene.shading == Shading::phong;
+    if (!deferred) bake(lists, scene, direction_grid);
+    const auto baked_color = [&](std::uint32_t key) {
+        const auto shade = std::bit_cast<float>(key);
+        return glm::vec4(shade >= k_cap_shade ? glm::vec3(shade - k_cap_shade) : surface * shade, 1);
+    };
+    const auto phong_color = [&](std::uint32_t key) {
+        const VoxelLook& look = lists->look[key];
+        if (look.kind == VoxelLook::cap) return glm::vec4(glm::vec3(float(grey_level(scene.window, look.value))), 1);
+        const float c = facing(look, direction), c4 = c * c * c * c, c16 = c4 * c4 * c4 * c4;
+        return glm::vec4(surface * (0.2f + 0.7f * c) + 0.3f * (c16 * c4), 1);
+    };
+    parallel_bands(0, image_.size.y, 4 * thread_count(),
+                   [&](std::int64_t begin, std::int64_t end) {
+                       const int first = int(begin), last = int(end);
+                       if (deferred) {
+                           paint_band(
+                               *lists, shear, image_, first, last, [](std::uint32_t i) { return i; }, job);
+                           color_band(image_, first, last, phong_color);
+                       } else {
+                           paint_band(
+                               *lists, shear, image_, first, last,
+                               [&](std::uint32_t i) { return std::bit_cast<std::uint32_t>(shade_[i]); }, job);
+                           color_band(image_, first, last, baked_color);
+                       }
+                   },
+                   {job.stop, nullptr});
+}
 
 Frame ShearWarpRenderer::render(const Scene& scene, const Plan& plan, const JobContext& job, BuildRecord& built) {
     if (scene.camera.fov_deg)
@@ -164,40 +130,48 @@ Frame ShearWarpRenderer::render(const Scene& scene, const Plan& plan, const JobC
                     "or mean.");
     const GridGeometry& geometry = scene.volume.geometry();
     const ViewRays rays = resolve(scene.camera, geometry, scene.size);
-    const Shear shear = factor(rays, geometry);
-    const Solid solid = solid_of(scene);
+    const Shear shear(rays, geometry, plan.directions);
+    const Solid solid = solid_of(scene, plan);
+    const bool bilinear = plan.sampler != Sampler::nearest;
 
     const Stopwatch build_watch;
-    const bool ready = lists_.has(scene.volume, solid, shear.direction);
-    const auto lists = lists_.get(scene.volume, solid, shear.direction, job.part(0, 0.5));
+    const bool ready = bilinear ? lists_.has_cells(scene.volume, solid, shear.direction)
+                                : lists_.has(scene.volume, solid, shear.direction);
+    std::shared_ptr<const VisibleVoxels> voxels;
+    std::shared_ptr<const VisibleCells> cells;
+    if (bilinear)
+        cells = lists_.get_cells(scene.volume, solid, shear.direction, job.part(0, 0.5));
+    else
+        voxels = lists_.get(scene.volume, solid, shear.direction, job.part(0, 0.5));
     built.ms = ready ? 0 : build_watch.ms();
-    built.bytes = lists_.bytes_held();
 
     const Stopwatch watch;
-    Intermediate image(shear.size);
-    parallel_bands(
-        0, image.size.y, 4 * thread_count(),
-        [&](std::int64_t first, std::int64_t last) { paint_band(*lists, shear, image, int(first), int(last), job); },
-        {job.stop, nullptr});
-    const glm::dvec3 direction_grid = glm::transpose(geometry.direction) * rays.forward;
-    parallel_for(0, image.size.y,
-                 [&](std::int64_t y) {
-                     const std::size_t begin = std::size_t(y) * std::size_t(image.size.x);
-                     for (std::size_t i = begin; i < begin + std::size_t(image.size.x); ++i)
-                         if (image.voxel[i] != k_no_voxel)
-                             image.color[i] = look_of(lists->look[image.voxel[i]], scene, direction_grid);
-                 },
-                 {job.stop, nullptr});
+    image_.resize(shear.size);
+    if (bilinear)
+        parallel_bands(
+            0, image_.size.y, 8 * thread_count(),
+            [&](std::int64_t first, std::int64_t last) {
+                paint_cells(*cells, scene, rays.forward, shear, image_, int(first), int(last), job);
+            },
+            job.part(0.5, 0.9));
+    else
+        paint_voxels(voxels, scene, rays.forward, shear, job);
 
     Frame frame;
     frame.size = scene.size;
     frame.color.resize(frame.pixels(), glm::vec4(0));
-    frame.depth_mm.resize(frame.pixels(), k_nothing);
-    warp(image, shear, frame, job.part(0.5, 1));
-    frame.counters.samples = lists->column.size();
-    frame.counters.skipped = std::uint64_t(geometry.voxel_count()) - frame.counters.samples;
+    frame.depth_mm.resize(frame.pixels(), ShearImage::k_nothing);
+    warp(image_, shear, frame, job.part(0.9, 1));
+    frame.counters.samples = bilinear ? cells->column.size() : voxels->column.size();
+    const auto all = std::uint64_t(geometry.voxel_count());
+    frame.counters.skipped = all - std::min(all, frame.counters.samples);
     frame.ms = watch.ms();
+    built.bytes = bytes_held();
     return frame;
+}
+
+std::size_t ShearWarpRenderer::bytes_held() const {
+    return lists_.bytes_held() + image_.bytes() + shade_.size() * sizeof(shade_[0]);
 }
 
 }  // namespace lacuna

@@ -6,29 +6,53 @@
 #include "core/render/frame.h"
 #include "core/render/plan.h"
 #include "core/render/scene.h"
+#include "core/render/shear_image.h"
 
 namespace lacuna {
 
-/// Shear-warp of the potentially visible surface voxels (Csebfalvi, Konig, Groller 1999), six directions: the slices
-/// along the principal viewing axis, each moved by whole voxels, are painted back to front into an intermediate image,
-/// one voxel one pixel, no z-buffer; only what stays visible is shaded; the image is then warped to the picture with
-/// bilinear sampling. Spacing and an oblique grid enter through the shear and the warp. A voxel lies at most half a
-/// voxel beside its place in u and v (the rounding of the shear) and is drawn half a slice before its centre. So the
-/// depth is within 1.5 voxel diagonals where the surface is not steeper than 45 degrees; behind an open cut the shell
-/// of surface voxels, up to two thick, is seen from within. Holds the lists of the last solid. One caller at a time.
+/// Shear-warp of the potentially visible surface voxels (Csebfalvi, Konig, Groller 1999), by 6 or 24 regions of
+/// directions: the slices along the principal viewing axis are painted back to front into an intermediate image, no
+/// z-buffer, and that is warped to the picture with bilinear sampling. Spacing and an oblique grid enter through the
+/// shear and the warp. Lists are extracted when their region is first looked from, and kept for the last solid.
+///
+/// Plan::sampler nearest (while moving): slices move by whole voxels, one voxel one pixel. Lambert bakes a shade per
+/// voxel and view direction, Phong keeps the normals for the pixels that stay visible. A voxel lies at most half a
+/// voxel beside its place in u and v and is drawn half a slice before its centre, so the depth is within 1.5 voxel
+/// diagonals where the surface is not steeper than 45 degrees; behind an open cut the shell of surface voxels, up to
+/// two thick, is seen from within.
+/// Plan::sampler linear (when still): see paint_cells().
+///
+/// Where the principal axis switches, the picture pops: the samples of the two factorisations differ. One caller at a
+/// time.
 class ShearWarpRenderer {
 public:
     /// The picture over nothing: alpha 1 on the surface, less on its outline. Counters: rays that meet the sheared
-    /// volume; voxels painted (samples) and not painted (skipped).
+    /// volume; voxels or cells painted (samples) and not painted (skipped).
     /// @param built  what it took to build the lists: 0 ms when they were ready
     /// @throws Error(bad_usage) for a perspective camera; Error(cancelled) within 30 ms of a stop
     Frame render(const Scene& scene, const Plan& plan, const JobContext& job, BuildRecord& built);
 
-    std::size_t bytes_held() const { return lists_.bytes_held(); }
-    void drop() { lists_.drop(); }
+    std::size_t bytes_held() const;
+    void drop() { *this = {}; }
 
 private:
+    void paint_voxels(const std::shared_ptr<const VisibleVoxels>& lists, const Scene& scene, const glm::dvec3& forward,
+                      const Shear& shear, const JobContext& job);
+    void bake(const std::shared_ptr<const VisibleVoxels>& lists, const Scene& scene, const glm::dvec3& direction_grid);
+
     VisibleVoxelCache lists_;
+    ShearImage image_;
+
+    /// What the baked shades hold for.
+    struct Baked {
+        std::shared_ptr<const VisibleVoxels> lists;
+        glm::dvec3 direction_grid{0};
+        Shading shading = Shading::none;
+        ValueRange window;
+        friend bool operator==(const Baked&, const Baked&) = default;
+    };
+    Baked baked_;
+    std::vector<float> shade_;  ///< a voxel: the surface colour's factor, or k_cap_shade + grey
 };
 
 }  // namespace lacuna

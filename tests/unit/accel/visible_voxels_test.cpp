@@ -57,51 +57,278 @@ std::set<Voxel> set_of(const VisibleVoxels& lists) {
     return voxels;
 }
 
-/// First solid voxel met by a ray through the slices, or none; written without any of the structure's ideas.
-template <class Solid>
-bool first_hit(const Solid& solid, glm::ivec3 size, SliceDirection direction, glm::dvec2 start, glm::dvec2 slope,
-               glm::ivec3& hit) {
-    for (int k = 0; k < size[direction.axis]; ++k) {
-        const int u = int(std::lround(start.x + slope.x * k)), v = int(std::lround(start.y + slope.y * k));
-        if (u < 0 || v < 0 || u >= size[direction.u_axis()] || v >= size[direction.v_axis()]) continue;
-        hit[direction.u_axis()] = u;
-        hit[direction.v_axis()] = v;
-        hit[direction.axis] = direction.from_low ? k : size[direction.axis] - 1 - k;
-        if (solid(hit)) return true;
+/// Whole multiples of 2^-16, so that positions along a ray are exact.
+double dyadic(double value) { return std::round(value * 65536) / 65536; }
+
+/// A volume as the tests' own search sees it.
+struct Small {
+    explicit Small(const Volume& volume) : size(volume.geometry().size) {
+        for (int z = 0; z < size.z; ++z)
+            for (int y = 0; y < size.y; ++y)
+                for (int x = 0; x < size.x; ++x) values.push_back(volume.value(x, y, z));
     }
-    return false;
+    double at(const SliceDirection& direction, int u, int v, int c) const {
+        glm::ivec3 p;
+        p[direction.u_axis()] = u;
+        p[direction.v_axis()] = v;
+        p[direction.axis] = c;
+        return values[std::size_t((std::int64_t(p.z) * size.y + p.y) * size.x + p.x)];
+    }
+    /// Bilinear in slice c; NaN beside the volume.
+    double sample(const SliceDirection& direction, double u, double v, int c) const {
+        const int nu = size[direction.u_axis()], nv = size[direction.v_axis()];
+        if (!(u >= -0.5 && u <= nu - 0.5 && v >= -0.5 && v <= nv - 0.5)) return std::nan("");
+        u = std::fmin(std::fmax(u, 0), nu - 1);
+        v = std::fmin(std::fmax(v, 0), nv - 1);
+        const int u0 = int(u), v0 = int(v), u1 = std::min(u0 + 1, nu - 1), v1 = std::min(v0 + 1, nv - 1);
+        const double fu = u - u0, fv = v - v0;
+        return (1 - fv) * ((1 - fu) * at(direction, u0, v0, c) + fu * at(direction, u1, v0, c)) +
+               fv * ((1 - fu) * at(direction, u0, v1, c) + fu * at(direction, u1, v1, c));
+    }
+    glm::ivec3 size;
+    std::vector<double> values;
+};
+
+/// A ray through the slices: where it meets the k-th from the front.
+struct Ray {
+    glm::dvec2 start, slope;
+    glm::dvec2 at(int k) const { return start + double(k) * slope; }
+};
+
+/// Rays of a region, exact zeros and diagonals among them. `slope` is per slice away from the eye.
+class RegionRays {
+public:
+    RegionRays(const SliceDirection& direction, glm::ivec3 size, unsigned seed)
+        : direction_(direction), size_(size), random_(seed) {}
+    Ray operator()() {
+        const auto component = [&](int lean) {
+            const double kind = unit_(random_), size = kind < 0.04 ? 0 : kind < 0.08 ? 1 : dyadic(unit_(random_));
+            return lean != 0 ? lean * size : unit_(random_) < 0.5 ? size : -size;
+        };
+        const glm::dvec2 slope(component(direction_.u_lean), component(direction_.v_lean));
+        const glm::dvec2 middle(0.5 * size_[direction_.u_axis()], 0.5 * size_[direction_.v_axis()]);
+        const double reach = size_[direction_.axis] + 2.0;
+        const auto within = [&](double m) { return dyadic(m + (2 * unit_(random_) - 1) * (m + reach)); };
+        return {{within(middle.x), within(middle.y)}, slope};
+    }
+
+private:
+    SliceDirection direction_;
+    glm::ivec3 size_;
+    std::mt19937 random_;
+    std::uniform_real_distribution<double> unit_{0, 1};
+};
+
+int slice_of(const SliceDirection& direction, glm::ivec3 size, int k) {
+    return direction.from_low ? k : size[direction.axis] - 1 - k;
 }
 
-TEST(VisibleVoxels, HoldEveryVoxelAnyRayOfTheirDirectionsMeetsFirst) {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> share(-1, 1);
-    for (const glm::ivec3 size :
-         {glm::ivec3(67, 9, 13), glm::ivec3(5, 130, 6), glm::ivec3(1, 1, 9), glm::ivec3(21, 20, 65)}) {
-        const Volume volume = blobs(size);
-        const auto solid = [&](glm::ivec3 p) { return volume.value(p.x, p.y, p.z) >= 45; };
-        VisibleVoxelCache cache;
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const bool from_low : {true, false}) {
-                const SliceDirection direction{axis, from_low};
-                const auto lists = cache.get(volume, {45, {}, {}}, direction);
-                const std::set<Voxel> listed = set_of(*lists);
-                for (const auto& [x, y, z] : listed) ASSERT_TRUE(solid({x, y, z}));
-                int hits = 0;
-                for (int ray = 0; ray < 3000; ++ray) {
-                    const glm::dvec2 slope(share(random), share(random));
-                    const glm::dvec2 middle(0.5 * size[direction.u_axis()], 0.5 * size[direction.v_axis()]);
-                    const double reach = size[axis] + 2.0;
-                    const glm::dvec2 start =
-                        middle + glm::dvec2(share(random) * (middle.x + reach), share(random) * (middle.y + reach));
-                    glm::ivec3 hit;
-                    if (!first_hit(solid, size, direction, start, slope, hit)) continue;
-                    ++hits;
-                    ASSERT_TRUE(listed.count({hit.x, hit.y, hit.z}))
-                        << axis << from_low << ' ' << hit.x << ' ' << hit.y << ' ' << hit.z;
+std::vector<SliceDirection> all_regions() {
+    std::vector<SliceDirection> all = slice_directions(6);
+    for (const SliceDirection& direction : slice_directions(24)) all.push_back(direction);
+    return all;
+}
+
+Volume noise(glm::ivec3 size, glm::dvec3 spacing, unsigned seed) {
+    std::mt19937 random(seed);
+    return make_volume<std::uint8_t>(grid(size, spacing), [&](auto voxels) {
+        for (auto& v : voxels) v = std::uint8_t(random() % 100);
+    });
+}
+
+/// Two walls one voxel thick with holes, across each axis.
+Volume walls(glm::ivec3 size) {
+    return make_volume<std::uint8_t>(grid(size), [&](auto voxels) {
+        std::size_t i = 0;
+        for (int z = 0; z < size.z; ++z)
+            for (int y = 0; y < size.y; ++y)
+                for (int x = 0; x < size.x; ++x) {
+                    const bool wall = x == size.x / 3 || y == size.y / 2 || z == size.z / 3 || z == size.z - 2;
+                    voxels[i++] = wall && (3 * x + 5 * y + 7 * z) % 11 != 0 ? 90 : 3;
                 }
-                EXPECT_GT(hits, 10);
+    });
+}
+
+/// Volumes with something to see everywhere, and the isovalue that shows it.
+std::vector<std::pair<Volume, double>> search_volumes() {
+    return {{blobs({67, 9, 13}), 45},
+            {blobs({5, 130, 6}), 45},
+            {noise({1, 1, 9}, {1, 1, 5}, 3), 60},
+            {noise({21, 20, 65}, {1, 1, 5}, 4), 75},
+            {noise({64, 3, 7}, {1, 1, 1}, 5), 90},
+            {walls({19, 17, 23}), 45}};
+}
+
+TEST(VisibleVoxels, HoldEveryVoxelThatTenThousandDirectionsOfTheirRegionSee) {
+    for (const auto& [volume, iso] : search_volumes()) {
+        const Small small(volume);
+        VisibleVoxelCache cache;
+        for (const SliceDirection& direction : all_regions()) {
+            const auto lists = cache.get(volume, {iso, {}, {}}, direction);
+            const std::set<Voxel> listed = set_of(*lists);
+            for (const auto& [x, y, z] : listed) ASSERT_GE(volume.value(x, y, z), iso);
+            const int nu = small.size[direction.u_axis()], nv = small.size[direction.v_axis()];
+            RegionRays rays(direction, small.size, 7);
+            std::set<Voxel> seen;
+            for (int n = 0; n < 10000; ++n) {
+                const Ray ray = rays();
+                for (int k = 0; k < small.size[direction.axis]; ++k) {
+                    const int u = int(std::floor(ray.at(k).x + 0.5)), v = int(std::floor(ray.at(k).y + 0.5));
+                    if (u < 0 || v < 0 || u >= nu || v >= nv) continue;
+                    const int c = slice_of(direction, small.size, k);
+                    if (!(small.at(direction, u, v, c) >= iso)) continue;
+                    glm::ivec3 p;
+                    p[direction.u_axis()] = u;
+                    p[direction.v_axis()] = v;
+                    p[direction.axis] = c;
+                    seen.insert({p.x, p.y, p.z});
+                    break;
+                }
+            }
+            EXPECT_GE(seen.size(), 1u);
+            for (const auto& [x, y, z] : seen)
+                ASSERT_TRUE(listed.count({x, y, z}))
+                    << direction.index() << " size " << small.size.x << ": " << x << ' ' << y << ' ' << z;
+        }
+    }
+}
+
+/// Cells (i, j, slice) of a list.
+std::set<Voxel> set_of(const VisibleCells& cells) {
+    std::set<Voxel> all;
+    for (int c = 0; c < cells.slices; ++c)
+        for (int j = 0; j < cells.rows; ++j) {
+            const std::size_t row = std::size_t(c) * std::size_t(cells.rows) + std::size_t(j);
+            for (std::uint32_t n = cells.row_begin[row]; n < cells.row_begin[row + 1]; ++n) {
+                EXPECT_LT(int(cells.column[n]), cells.columns);
+                all.insert({cells.column[n], j, c});
             }
         }
+    return all;
+}
+
+Voxel cell_at(const glm::dvec2& at, int c) { return {int(std::floor(at.x)) + 1, int(std::floor(at.y)) + 1, c}; }
+
+TEST(VisibleVoxels, CellsHoldEveryFirstBilinearSampleOfTheirRegion) {
+    for (const auto& [volume, iso] : search_volumes()) {
+        const Small small(volume);
+        VisibleVoxelCache cache;
+        for (const SliceDirection& direction : all_regions()) {
+            const std::set<Voxel> listed = set_of(*cache.get_cells(volume, {iso, {}, {}}, direction));
+            RegionRays rays(direction, small.size, 8);
+            int hits = 0;
+            for (int n = 0; n < 10000; ++n) {
+                const Ray ray = rays();
+                for (int k = 0; k < small.size[direction.axis]; ++k) {
+                    const int c = slice_of(direction, small.size, k);
+                    if (!(small.sample(direction, ray.at(k).x, ray.at(k).y, c) >= iso)) continue;
+                    ++hits;
+                    ASSERT_TRUE(listed.count(cell_at(ray.at(k), c)))
+                        << direction.index() << " size " << small.size.x << " k " << k;
+                    break;
+                }
+            }
+            EXPECT_GT(hits, 0);
+        }
+    }
+}
+
+/// With an open cut every turn a ray can meet must be among the cells, not only the first.
+TEST(VisibleVoxels, CellsBehindAnOpenCutHoldEveryTurn) {
+    const Volume volume = walls({19, 17, 23}), dense = blobs({20, 21, 22});
+    for (const auto& [picked, iso] : {std::pair(volume, 45.0), std::pair(dense, 40.0)}) {
+        const Small small(picked);
+        const Solid solid{iso, {}, {{{0.3, 1, -0.2}, -5, false}, {{1, 0, 0}, -4.5, true}}};
+        VisibleVoxelCache cache;
+        for (const SliceDirection& direction : all_regions()) {
+            const std::set<Voxel> listed = set_of(*cache.get_cells(picked, solid, direction));
+            std::vector<CutResidual> cuts;
+            for (const SolidCut& cut : solid.cuts) cuts.push_back(residual_of(cut, picked.geometry(), direction));
+            RegionRays rays(direction, small.size, 9);
+            int turns = 0;
+            for (int n = 0; n < 3000; ++n) {
+                const Ray ray = rays();
+                double before = std::nan("");
+                bool capped_before = false;
+                for (int k = 0; k < small.size[direction.axis]; ++k) {
+                    const int c = slice_of(direction, small.size, k);
+                    const glm::dvec2 at = ray.at(k);
+                    const double here = small.sample(direction, at.x, at.y, c) - iso;
+                    bool kept = true;
+                    for (const CutResidual& cut : cuts) kept = kept && cut.at(at.x, at.y, c) >= 0;
+                    const bool turn = std::isnan(before) || capped_before ? here >= 0 : (before < 0) != (here < 0);
+                    if (kept && turn && !std::isnan(here)) {
+                        ++turns;
+                        ASSERT_TRUE(listed.count(cell_at(at, c))) << direction.index() << " k " << k;
+                    }
+                    before = here;
+                    capped_before = cuts[1].at(at.x, at.y, c) < 0;
+                }
+            }
+            EXPECT_GT(turns, 100);
+        }
+    }
+}
+
+TEST(VisibleVoxels, AQuarterListsNoMoreThanItsSixthAndBothNeighboursHoldTheirBorder) {
+    const Volume volume = blobs({33, 31, 29});
+    VisibleVoxelCache cache;
+    for (const SliceDirection& quarter : slice_directions(24)) {
+        const auto part = set_of(*cache.get(volume, {45, {}, {}}, quarter));
+        const auto whole = set_of(*cache.get(volume, {45, {}, {}}, {quarter.axis, quarter.from_low}));
+        EXPECT_TRUE(std::includes(whole.begin(), whole.end(), part.begin(), part.end()));
+        EXPECT_LT(part.size(), whole.size());
+        // Straight along the axis: what is met first lies in all four quarters.
+        const Small small(volume);
+        for (int v = 0; v < small.size[quarter.v_axis()]; ++v)
+            for (int u = 0; u < small.size[quarter.u_axis()]; ++u)
+                for (int k = 0; k < small.size[quarter.axis]; ++k) {
+                    glm::ivec3 p;
+                    p[quarter.u_axis()] = u;
+                    p[quarter.v_axis()] = v;
+                    p[quarter.axis] = slice_of(quarter, small.size, k);
+                    if (!(volume.value(p.x, p.y, p.z) >= 45)) continue;
+                    ASSERT_TRUE(part.count({p.x, p.y, p.z}));
+                    break;
+                }
+    }
+}
+
+TEST(VisibleVoxels, RegionsFollowTheLargestComponentAndTheSigns) {
+    EXPECT_EQ(slice_direction({0.2, -3, 1}, 6), (SliceDirection{1, false}));
+    EXPECT_EQ(slice_direction({0.2, -3, -1}, 24), (SliceDirection{1, false, 1, -1}));
+    EXPECT_EQ(slice_direction({0, 0, 2}, 24), (SliceDirection{2, true, 1, 1}));
+    EXPECT_EQ(slice_direction({-1, 1, 1}, 24), (SliceDirection{0, false, 1, 1}));
+    std::set<std::size_t> indices;
+    for (const SliceDirection& direction : all_regions()) indices.insert(direction.index());
+    EXPECT_EQ(indices.size(), SliceDirection::k_count);
+    EXPECT_EQ(*indices.rbegin(), SliceDirection::k_count - 1);
+}
+
+TEST(VisibleVoxels, EveryFilterFindsTheNormalOfASlope) {
+    // Value 3x - 2y + z per voxel at spacing 1 x 2 x 5 mm, flat beyond the middle so that there is something to list.
+    const glm::ivec3 size(15, 15, 15);
+    const glm::dvec3 spacing(1, 2, 5), per_mm = glm::dvec3(3, -2, 1) / spacing;
+    const Volume volume = make_volume<float>(grid(size, spacing), [&](std::span<float> voxels) {
+        std::size_t i = 0;
+        for (int z = 0; z < 15; ++z)
+            for (int y = 0; y < 15; ++y)
+                for (int x = 0; x < 15; ++x) voxels[i++] = float(3 * x - 2 * y + z);
+    });
+    for (const VoxelGradient filter : {VoxelGradient::central, VoxelGradient::sobel, VoxelGradient::gaussian}) {
+        VisibleVoxelCache cache;
+        const auto lists = cache.get(volume, {20, {}, {}, filter}, {2, true});
+        int compared = 0;
+        for (int v = 3; v < 12; ++v) {
+            const std::size_t row = std::size_t(7) * std::size_t(lists->rows) + std::size_t(v);
+            for (std::uint32_t n = lists->row_begin[row]; n < lists->row_begin[row + 1]; ++n) {
+                if (lists->column[n] < 3 || lists->column[n] > 11) continue;
+                ++compared;
+                const glm::dvec3 normal(lists->look[n].normal[0], lists->look[n].normal[1], lists->look[n].normal[2]);
+                EXPECT_NEAR(glm::distance(normal / 32767.0, glm::normalize(per_mm)), 0, 1e-3);
+            }
+        }
+        EXPECT_GT(compared, 3);
     }
 }
 

@@ -157,6 +157,11 @@ TEST(Plan, FaultsAreRefused) {
     Plan plan = default_plan(scene);
     plan.structure = Structure::macrocells;
     EXPECT_THROW(check(plan, scene), Error);
+    plan = default_plan(scene);
+    plan.directions = 12;
+    EXPECT_THROW(check(plan, scene), Error);
+    for (const VoxelGradient filter : {VoxelGradient::central, VoxelGradient::sobel, VoxelGradient::gaussian})
+        EXPECT_EQ(parse_voxel_gradient(name_of(filter)), filter);
 }
 
 TEST(Frame, To8BitRoundsClampsAndPutsTheBackgroundBehind) {
