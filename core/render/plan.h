@@ -47,8 +47,8 @@ struct Plan {
     double sparse_gradient = 0.02;  ///< colour difference (0..1) between cast pixels above which all between are cast
     int directions = 24;  ///< shear_warp: regions of viewing directions visible voxels are listed for, 6 or 24
     VoxelGradient voxel_gradient = VoxelGradient::sobel;  ///< shear_warp, nearest: normals of the listed voxels
-    bool sparse_aware = false;      ///< also where min-max cells allow for something between the cast rays
-    std::vector<std::string> why;   ///< one sentence a choice, and what was not built
+    bool sparse_aware = false;     ///< also where min-max cells allow for something between the cast rays
+    std::vector<std::string> why;  ///< one sentence a choice, and what was not built
 };
 
 std::string_view name_of(Structure structure);
