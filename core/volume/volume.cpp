@@ -11,20 +11,44 @@
 namespace lacuna {
 
 namespace {
-constexpr std::size_t k_tail_bytes = 64;              // kernels load neighbouring voxels in pairs
-constexpr std::size_t k_huge_page = std::size_t(2) << 20;
+constexpr std::size_t k_tail_bytes = 64;  // kernels load neighbouring voxels in pairs
+constexpr std::size_t k_page = 4096, k_huge_page = std::size_t(2) << 20;
+}  // namespace
+
+namespace {
+
+[[noreturn]] void refuse_memory(std::size_t bytes) {
+    throw Error(Errc::out_of_memory, "Cannot allocate " + std::to_string(bytes) +
+                                         " bytes for the voxels; close other programs or use a smaller volume.");
+}
+
+/// Pages of their own, from the system and back to it: what bricks and volumes leave behind is not kept on a heap, so
+/// that the memory a limit counts is the memory the program has.
+std::shared_ptr<std::byte> map_pages(std::size_t total) {
+    const std::size_t reserved = total + k_huge_page;
+    void* const found = ::mmap(nullptr, reserved, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (found == MAP_FAILED) refuse_memory(total);
+    const auto from = reinterpret_cast<std::uintptr_t>(found);
+    const std::uintptr_t aligned = (from + k_huge_page - 1) / k_huge_page * k_huge_page;
+    auto* const memory = reinterpret_cast<std::byte*>(aligned);
+    if (aligned > from) ::munmap(found, aligned - from);
+    ::munmap(memory + total, from + reserved - aligned - total);
+    ::madvise(memory, total / k_huge_page * k_huge_page, MADV_HUGEPAGE);
+    return {memory, [total](std::byte* p) { ::munmap(p, total); }};
+}
+
 }  // namespace
 
 VoxelBuffer::VoxelBuffer(std::size_t bytes) : size_(bytes) {
-    const std::size_t align = bytes >= k_huge_page ? k_huge_page : 4096;
-    const std::size_t total = (bytes + k_tail_bytes + align - 1) / align * align;
-    void* memory = std::aligned_alloc(align, total);
-    if (!memory)
-        throw Error(Errc::out_of_memory, "Cannot allocate " + std::to_string(total) +
-                                             " bytes for the voxels; close other programs or use a smaller volume.");
-    if (align == k_huge_page) ::madvise(memory, total, MADV_HUGEPAGE);
-    std::memset(static_cast<std::byte*>(memory) + bytes, 0, total - bytes);
-    data_ = std::shared_ptr<std::byte>(static_cast<std::byte*>(memory), [](std::byte* p) { std::free(p); });
+    const std::size_t total = (bytes + k_tail_bytes + k_page - 1) / k_page * k_page;
+    if (bytes >= k_huge_page) {
+        data_ = map_pages(total);  // all zero
+        return;
+    }
+    auto* const memory = static_cast<std::byte*>(std::aligned_alloc(k_page, total));
+    if (!memory) refuse_memory(total);
+    std::memset(memory + bytes, 0, total - bytes);
+    data_ = std::shared_ptr<std::byte>(memory, [](std::byte* p) { std::free(p); });
 }
 
 namespace {
