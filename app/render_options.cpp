@@ -63,6 +63,7 @@ void RenderOptions::add_to(CLI::App& command) {
     word("--structure", words_.structure,
          "auto (default), none, macrocells, octree, pyramid, pc, acd, eacd or visible (shear-warp)");
     word("--cells", words_.cells, "voxels a macro-cell edge of pc, acd, eacd: 4, 8 (default), 16; 1: an entry a voxel");
+    word("--brick", words_.brick, "voxels a brick edge, 8 to 1024 (default: bricks only of what does not fit whole)");
     word("--homogeneity", words_.homogeneity, "T[,A]: opacities (octree: values) and angles that count as equal");
     word("--sparse", words_.sparse,
          "K[,G][,aware]: cast every K-th pixel, all where colours differ by more than G (0..1, default 0.02); aware: "
@@ -156,6 +157,7 @@ void RenderOptions::parse_plan() {
         cells_ = int(parse_integer("--cells", *words_.cells, 1, 16));
         if (*cells_ & (*cells_ - 1) || *cells_ == 2) refuse("--cells", *words_.cells, "1, 4, 8 or 16");
     }
+    if (words_.brick) brick_ = int(parse_integer("--brick", *words_.brick, 8, 1024));
     if (words_.homogeneity) {
         const std::string& text = *words_.homogeneity;
         const std::vector<double> v = parse_numbers("--homogeneity", text, text.find(',') == std::string::npos ? 1 : 2);
@@ -274,6 +276,7 @@ Plan RenderOptions::plan(const Scene& scene) const {
         plan.why.push_back(
             fmt::format("Smoothed by a Gaussian of {:g} mm before anything else, as asked for.", input.smooth_mm));
     take(plan.cells, cells_, "--cells");
+    take(plan.brick, brick_, "--brick");
     take(plan.sparse, sparse_, "--sparse");
     if (sparse_gradient_) plan.sparse_gradient = *sparse_gradient_;
     take(plan.directions, directions_, "--directions");

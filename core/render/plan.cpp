@@ -37,6 +37,7 @@ constexpr NameTable<VoxelGradient, 3> k_voxel_gradient_names{
 
 constexpr double k_min_step = 0.01, k_max_step = 100;
 constexpr int k_max_refine_steps = 64;
+constexpr int k_least_brick = 8, k_largest_brick = 1024;
 
 }  // namespace
 
@@ -203,6 +204,19 @@ void check(const Plan& plan, const Scene& scene) {
                     "The homogeneity threshold must not be negative, its angle lie within 0 to 180 degrees.");
     if (plan.cells != 1 && plan.cells != 4 && plan.cells != 8 && plan.cells != 16)
         throw Error(Errc::bad_usage, "The macro-cell edge must be 1, 4, 8 or 16 voxels.");
+    if (plan.brick != 0 && (plan.brick < k_least_brick || plan.brick > k_largest_brick))
+        throw Error(Errc::bad_usage, "The brick edge must lie between 8 and 1024 voxels; 0: no bricks.");
+    if (plan.brick != 0 && scene.mode == ViewMode::shear_warp)
+        throw Error(Errc::bad_usage, "Shear-warp does not work on bricks; use mode iso.");
+    const bool whole_volume = (scene.mode == ViewMode::iso && plan.refine == Refinement::cubic) ||
+                              (scene.mode == ViewMode::ea && plan.integration == Integration::preintegrated) ||
+                              plan.sampler == Sampler::adaptive || plan.gradient_store == GradientStore::stored ||
+                              (plan.sparse != 0 && plan.sparse_aware);
+    if (plan.brick != 0 && whole_volume)
+        throw Error(Errc::bad_usage,
+                    "Bricks are cast with point samples, nearest or linear, and gradients on the fly: leave out cubic "
+                    "refinement, pre-integration, the adaptive sampler, stored gradients and aware sparse casting, or "
+                    "raise the memory limit.");
     if (plan.sparse != 0 && (plan.sparse < 2 || plan.sparse > 64))
         throw Error(Errc::bad_usage, "Sparse casting takes every 2nd to 64th pixel.");
     if (!(plan.sparse_gradient >= 0))
