@@ -78,7 +78,10 @@ int run_render(RenderOptions& options, Console& console) {
     if (!options.stats.empty()) check_target(options.stats);
 
     const Volume volume = options.input.load(console);
-    Scene scene = options.scene(volume, compute_statistics(volume, console.job("Measuring")));
+    const VolumeStatistics statistics = compute_statistics(volume, console.job("Measuring"));
+    Scene scene = options.scene(volume, statistics);
+    if (options.regions.any())
+        scene.regions = options.regions.classes(volume, statistics, console.job("Finding regions"));
     options.input.require_memory(bytes_needed(volume, scene.size), "Rendering this volume");
     const Plan plan = options.plan(scene);
     check(scene);

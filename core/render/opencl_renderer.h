@@ -37,9 +37,11 @@ public:
 private:
     struct Tables;
     struct Output;
+    struct Classes;
     struct Cast;
 
     void hold_volume(const Volume& volume);
+    void hold_classes(const Scene& scene);
     void make_tables(const Scene& scene, double step_mm);
     cl::Kernel& kernel(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool count, bool tiles);
     void hold_output(glm::ivec2 padded, bool count);
@@ -60,6 +62,7 @@ private:
     std::unique_ptr<DeviceVolume> volume_;
     std::unique_ptr<Tables> tables_;
     std::unique_ptr<Output> output_;
+    std::unique_ptr<Classes> classes_;
     cl::Buffer constants_;
     cl_uint tiles_arg_ = 0;  ///< of the kernel bound last: where a tile list goes
 };
