@@ -11,17 +11,6 @@ namespace lacuna::cli {
 
 namespace {
 
-/// Runs a reader of core and puts the flag's name before its complaint.
-template <class Read>
-auto for_flag(const std::string& flag, Read&& read) {
-    try {
-        return read();
-    } catch (const Error& error) {
-        if (error.code() != Errc::bad_usage) throw;
-        throw Error(Errc::bad_usage, flag + ": " + error.what());
-    }
-}
-
 std::optional<double> optional_number(const std::string& flag, const std::optional<std::string>& text) {
     return text ? std::optional(parse_number(flag, *text)) : std::nullopt;
 }
@@ -61,10 +50,14 @@ void RenderOptions::add_to(CLI::App& command) {
     word("--refine", words_.refine, "none, bisect, regula-falsi (default), regula-falsi-plain, newton or cubic (iso)");
     word("--refine-steps", words_.refine_steps, "most refinement steps (default 5)");
     word("--structure", words_.structure,
-         "auto (default), none, macrocells, octree, pyramid, pc, acd, eacd or visible (shear-warp)");
+         "auto (default), none, macrocells, octree, pyramid, pc, acd, eacd, leap or visible (shear-warp)");
     word("--cells", words_.cells, "voxels a macro-cell edge of pc, acd, eacd: 4, 8 (default), 16; 1: an entry a voxel");
     word("--brick", words_.brick, "voxels a brick edge, 8 to 1024 (default: bricks only of what does not fit whole)");
-    word("--homogeneity", words_.homogeneity, "T[,A]: opacities (octree: values) and angles that count as equal");
+    word("--homogeneity", words_.homogeneity,
+         "T[,A]: opacities (octree: values; leap: share of the value range a region spans) and angles that count as "
+         "equal");
+    leap.add_to(command);
+    regions.add_to(command);
     word("--sparse", words_.sparse,
          "K[,G][,aware]: cast every K-th pixel, all where colours differ by more than G (0..1, default 0.02); aware: "
          "and where the structure allows for more than the cast rays met");
@@ -173,6 +166,7 @@ void RenderOptions::parse_plan() {
     }
     if (words_.voxel_gradient)
         voxel_gradient_ = for_flag("--voxel-gradient", [&] { return parse_voxel_gradient(*words_.voxel_gradient); });
+    leap.parse();
     if (words_.gradient) {
         gradient_.emplace(GradientFilter::central, GradientStore::on_the_fly);
         for_flag("--gradient", [&] { parse_gradient(*words_.gradient, gradient_->first, gradient_->second); });
@@ -182,6 +176,12 @@ void RenderOptions::parse_plan() {
 }
 
 void RenderOptions::check_combinations() const {
+    if (regions.functions() && mode_ != ViewMode::ea)
+        throw Error(Errc::bad_usage, "--region-tf goes with --mode ea alone.");
+    if (regions.any() && mode_ == ViewMode::shear_warp)
+        throw Error(Errc::bad_usage,
+                    "--regions and --region-tf do not go with --mode shear-warp, which paints surface voxels whatever "
+                    "region they are in.");
     if (mode_ == ViewMode::shear_warp) {
         if (camera_.fov_deg)
             throw Error(Errc::bad_usage,
@@ -223,6 +223,7 @@ void RenderOptions::parse() {
     for (const std::string& text : words_.effects)
         for (Effect& effect : for_flag("--effects", [&] { return parse_effects(text); }))
             effects_.push_back(std::move(effect));
+    regions.parse();
     check_combinations();
     if (words_.tf) tf_ = parse_tf("--tf", *words_.tf);
     for (const std::string& text : words_.ranges) ranges_.push_back(parse_segmentation_range(text));
@@ -284,6 +285,7 @@ Plan RenderOptions::plan(const Scene& scene) const {
     plan.sparse_aware = sparse_aware_;
     take(plan.homogeneity, homogeneity_, "--homogeneity");
     if (homogeneity_angle_) plan.homogeneity_angle_deg = *homogeneity_angle_;
+    leap.apply(plan);
     return plan;
 }
 
