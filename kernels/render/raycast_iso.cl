@@ -69,7 +69,10 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
     COUNT(uint samples = 0; uint skipped = 0; uint reads = 0;)
 
     // The entry itself: inside the object there, the ray hits the volume's side or the cap, or goes on (open cut).
-    VF entry_value = sample_volume(volume, p, ray_at(&r, r.enter));
+    // Where the structure knows the entry's cell to be empty no voxel needs to be read.
+    VF entry_value = (VF)(-INFINITY);
+    if (any_lane(kept & ~SURELY_EMPTY(p, &r, STRUCTURE, r.enter)))
+        entry_value = sample_volume(volume, p, ray_at(&r, r.enter));
     VI starts_inside = kept & MASK(iso_measure(p, entry_value) >= zero);
     VI face_hit = starts_inside & MASK(r.entry != (VI)(ENTRY_OPEN));
     Idle state = {starts_inside & ~face_hit};
