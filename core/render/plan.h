@@ -104,6 +104,9 @@ LeapWay parse_leap_way(std::string_view text);
 
 /// The least structure that serves the scene's mode, with its reasons.
 Plan default_plan(const Scene& scene);
+/// One sentence where the plan's structure can gain nothing in the scene's mode (projections without segmentation
+/// ranges); empty else. For plans whose structure was asked for.
+std::string gain_note(const Plan& plan, const Scene& scene);
 /// The brute-force plan every other is measured against: no structure, no early termination, linear sampling.
 Plan reference_plan(const Scene& scene, const Plan& like);
 

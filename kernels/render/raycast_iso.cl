@@ -82,8 +82,11 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
     ADAPTIVE_STATE
 
     // The entry itself: inside the object there, the ray hits the volume's side or the cap, or goes on (open cut).
+    // Where the structure knows the entry's cell to be empty no voxel needs to be read.
     VF3 entry_at = ray_at(&r, r.enter);
-    VF entry_value = SEEN(sample_volume(volume, p, entry_at), entry_at);
+    VF entry_value = (VF)(-INFINITY);
+    if (any_lane(kept & ENTERS_HERE(&r) & ~SURELY_EMPTY(p, &r, STRUCTURE, r.enter)))
+        entry_value = SEEN(sample_volume(volume, p, entry_at), entry_at);
     VI starts_inside = kept & ENTERS_HERE(&r) & MASK(iso_measure(p, entry_value) >= zero);
     VI face_hit = starts_inside & MASK(r.entry != (VI)(ENTRY_OPEN));
     Idle state = {starts_inside & ~face_hit};
