@@ -305,6 +305,12 @@ std::vector<SeriesEntry> list_series(const std::string& input, const JobContext&
     return find_dicom_series(path, job);
 }
 
+std::optional<AnalyticSample> open_sample(const std::string& input, const JobContext& job) {
+    if (!is_sample(input)) return std::nullopt;
+    const auto [name, options] = sample_call(input);
+    return make_sample(name, options, job);
+}
+
 Volume open_volume(const std::string& input, const OpenOptions& options, const JobContext& job) {
     if (is_sample(input)) {
         const auto [name, sample] = sample_call(input);

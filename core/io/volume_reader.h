@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/volume/samples.h"
 #include "core/volume/volume.h"
 
 namespace lacuna {
@@ -51,6 +52,10 @@ std::string format_series(const std::vector<SeriesEntry>& entries);
 /// raw with `raw` or a sidecar or its own name, `sample:NAME[@SIZE]`.
 /// @throws Error(bad_input) and Error(unsupported) naming file, fault and what to do; AmbiguousInput; Error(cancelled)
 Volume open_volume(const std::string& input, const OpenOptions& options = {}, const JobContext& job = {});
+
+/// A built-in sample with its exact truth; nullopt for every other input.
+/// @throws Error(bad_usage) for an unknown sample or a size that is none
+std::optional<AnalyticSample> open_sample(const std::string& input, const JobContext& job = {});
 
 /// SHA-256 of the voxels, little-endian in the stored type, x fastest, as hex.
 std::string voxel_sha256(const Volume& volume, const JobContext& job = {});
