@@ -90,11 +90,18 @@ int run_render(RenderOptions& options, Console& console) {
     const Volume volume = options.input.load(console);
     Scene scene = options.scene(volume, compute_statistics(volume, console.job("Measuring")));
     options.input.require_memory(bytes_needed(volume, scene.size), "Rendering this volume");
-    const Plan plan = options.plan(scene);
+    Plan plan = options.plan(scene);
     check(scene);
     check(plan, scene);
 
     Engine engine(open_device(options.device, console.job("Testing devices")));
+    if (const auto budget = options.budget()) {
+        const PlannedPlan planned = choose_plan(engine, scene, *budget, console.job("Planning"));
+        plan = planned.plan;
+        if (!planned.meets_budget)
+            console.note_at_end(
+                fmt::format("the time budget cannot be kept: the fastest plan found takes {:.3g} ms", planned.ms));
+    }
     RenderRecord record;
     record.device = engine.device_name();
     DifferenceMap map;
