@@ -10,7 +10,9 @@
 #include "app/input_options.h"
 #include "app/leap_options.h"
 #include "app/region_words.h"
-#include "core/render/plan.h"
+#include "core/accuracy/planner.h"
+#include "core/accuracy/truth.h"
+#include "core/render/plan_json.h"
 #include "core/render/scene.h"
 
 namespace lacuna::cli {
@@ -23,6 +25,8 @@ public:
     RegionWords regions;
     std::string output, stats, device;
     bool verify = false;
+    std::string verify_map;                 ///< --verify-map: where the difference map goes; empty: nowhere
+    Truth verify_against = Truth::samples;  ///< --verify-against
 
     void add_to(CLI::App& command);
     /// Reads every word, loads the transfer functions named, and checks all that can be checked without the volume.
@@ -33,6 +37,8 @@ public:
     glm::ivec2 picture_size() const { return size_; }
     /// What the words ask to see of a volume. @pre parse() was called
     Scene scene(const Volume& volume, const VolumeStatistics& statistics) const;
+    /// --error-budget and --time-budget: how is the planner's choice then. @pre parse() was called
+    std::optional<Budget> budget() const;
     /// How: the default plan with what was asked for. @pre parse() was called
     Plan plan(const Scene& scene) const;
     /// OUT.png, or OUT-007.png for frame 7 of a turntable.
@@ -53,7 +59,8 @@ private:
     struct Words {
         std::optional<std::string> mode, iso, tf, window, shading, lmip_threshold, size, azimuth, elevation, roll, zoom,
             center, perspective, step, sampler, gradient, integration, refine, refine_steps, structure, cells, brick,
-            homogeneity, sparse, ert, turntable, directions, voxel_gradient;
+            homogeneity, sparse, ert, turntable, directions, voxel_gradient, plan, verify_against, error_budget,
+            time_budget;
         std::vector<std::string> ranges, cuts, effects;
     };
 
@@ -62,12 +69,16 @@ private:
     static CuttingPlane parse_cut(const std::string& text);
     void parse_camera();
     void parse_plan();
+    void parse_replayed_plan();
+    void parse_budget();
+    void refuse_plan_words(const std::string& with) const;
     void check_combinations() const;
     void rehearse() const;
 
     Words words_;
     ViewMode mode_ = ViewMode::ea;
-    std::optional<double> iso_, lmip_threshold_, step_, ert_, homogeneity_, homogeneity_angle_;
+    std::optional<double> iso_, lmip_threshold_, step_, error_budget_, time_budget_, ert_, homogeneity_,
+        homogeneity_angle_;
     std::optional<int> cells_, sparse_, brick_;
     std::optional<double> sparse_gradient_;
     std::optional<int> directions_;
@@ -81,6 +92,7 @@ private:
     std::vector<Effect> effects_;
     Camera camera_;
     glm::ivec2 size_{512, 512};
+    std::optional<ModePlan> replayed_;
     std::optional<Structure> structure_;
     std::optional<Sampler> sampler_;
     std::optional<Refinement> refine_;

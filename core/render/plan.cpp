@@ -87,6 +87,10 @@ std::string_view name_of(Refinement refinement) { return name_in(k_refinement_na
 std::string_view name_of(VoxelGradient filter) { return name_in(k_voxel_gradient_names, filter); }
 std::string_view name_of(Leaping kernel) { return name_in(k_leaping_names, kernel); }
 std::string_view name_of(LeapWay way) { return name_in(k_leap_way_names, way); }
+std::span<const std::pair<Structure, std::string_view>> structure_names() { return k_structure_names; }
+std::span<const std::pair<Sampler, std::string_view>> sampler_names() { return k_sampler_names; }
+std::span<const std::pair<Refinement, std::string_view>> refinement_names() { return k_refinement_names; }
+std::span<const std::pair<VoxelGradient, std::string_view>> voxel_gradient_names() { return k_voxel_gradient_names; }
 Structure parse_structure(std::string_view text) { return parse_name(k_structure_names, text, "structure"); }
 Sampler parse_sampler(std::string_view text) { return parse_name(k_sampler_names, text, "sampler"); }
 Leaping parse_leaping(std::string_view text) { return parse_name(k_leaping_names, text, "leaping kernel"); }

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/accel/leap_volume.h"
@@ -82,6 +84,11 @@ std::string_view name_of(GradientStore store);
 std::string_view name_of(Integration integration);
 std::string_view name_of(Leaping kernel);
 std::string_view name_of(LeapWay way);
+/// Every value with its name, in the order they are listed: what is enumerated follows what there is.
+std::span<const std::pair<Structure, std::string_view>> structure_names();
+std::span<const std::pair<Sampler, std::string_view>> sampler_names();
+std::span<const std::pair<Refinement, std::string_view>> refinement_names();
+std::span<const std::pair<VoxelGradient, std::string_view>> voxel_gradient_names();
 /// @throws Error(bad_usage) listing the known names
 Structure parse_structure(std::string_view text);
 Sampler parse_sampler(std::string_view text);

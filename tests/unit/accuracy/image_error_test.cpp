@@ -6,27 +6,12 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "tests/unit/accuracy/pictures.h"
 
 namespace lacuna {
 namespace {
 
-Frame flat(glm::ivec2 size, glm::vec4 color) {
-    Frame frame;
-    frame.size = size;
-    frame.color.assign(frame.pixels(), color);
-    frame.depth_mm.assign(frame.pixels(), 0);
-    return frame;
-}
-
-/// A picture with structure: waves of the amplitude about mid grey.
-Frame waves(glm::ivec2 size, double amplitude, double phase = 0) {
-    Frame frame = flat(size, glm::vec4(0));
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x)
-            frame.color[std::size_t(y) * size.x + x] =
-                glm::vec4(glm::vec3(0.5 + amplitude * std::sin(0.7 * x + phase) * std::cos(0.4 * y)), 1);
-    return frame;
-}
+using namespace test;
 
 TEST(ImageError, EqualPicturesHaveNone) {
     const Frame frame = waves({31, 17}, 0.3);
@@ -84,7 +69,34 @@ TEST(ImageError, NaNFailsEveryBudget) {
                 swapped ? compare(sound, broken, {0, 0, 0}, 1e9) : compare(broken, sound, {0, 0, 0}, 1e9);
             EXPECT_TRUE(std::isinf(error.max)) << part;
             EXPECT_GE(error.pixels_over_budget, 1u);
+            EXPECT_FALSE(error.mean <= 1e9 || error.psnr > 0 || error.ssim > 0 || error.flip < 1);
         }
+    }
+}
+
+TEST(ImageError, ChannelsAreToldApart) {
+    const Frame a = flat({8, 4}, {0.5f, 0.25f, 0.25f, 1});
+    Frame b = a;
+    b.color[5].r += 10.f / 255;
+    b.color[9].b -= 3.f / 255;
+    const ImageError error = compare(a, b, {0, 0, 0});
+    EXPECT_NEAR(error.channel_max.r, 10, 1e-4);
+    EXPECT_EQ(error.channel_max.g, 0);
+    EXPECT_NEAR(error.channel_max.b, 3, 1e-4);
+    EXPECT_NEAR(error.channel_mean.r, 10.0 / 32, 1e-5);
+    EXPECT_NEAR(error.mean, (error.channel_mean.r + error.channel_mean.g + error.channel_mean.b) / 3, 1e-12);
+}
+
+TEST(ImageError, OneTruthServesManyPictures) {
+    const glm::ivec2 size(33, 21);
+    const TruePicture truth(waves(size, 0.3), {0.1, 0.2, 0.3});
+    for (const double phase : {0.0, 0.1, 1.0}) {
+        const ImageError once = compare(waves(size, 0.3, phase), truth.frame(), {0.1, 0.2, 0.3});
+        const ImageError kept = truth.compare(waves(size, 0.3, phase));
+        EXPECT_EQ(once.max, kept.max);
+        EXPECT_EQ(once.ssim, kept.ssim);
+        EXPECT_EQ(once.flip, kept.flip);
+        EXPECT_EQ(once.flip > 0, phase > 0);
     }
 }
 
