@@ -22,6 +22,8 @@ struct InputOptions {
     void add_to(CLI::App& command, bool required = true);
     /// Adds --smooth, for subcommands that work on the smoothed volume.
     void add_smooth(CLI::App& command);
+    /// The flags without INPUT, for commands that take many.
+    void add_flags_to(CLI::App& command);
     /// Reads the flags' words without touching a file; call it before load. @throws Error(bad_usage)
     void check();
     /// Bytes this run may use: --memory-limit, else 75 % of the machine's memory.

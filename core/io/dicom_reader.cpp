@@ -14,6 +14,7 @@
 #include "core/io/dicom_posix.h"
 #include "core/io/dicom_resample.h"
 #include "core/io/dicom_series.h"
+#include "core/io/dicom_source.h"
 #include "core/io/dicom_stack.h"
 
 namespace lacuna {
@@ -278,6 +279,27 @@ Volume read_dicom_series(const SeriesEntry& series, const OpenOptions& options, 
     add_warnings(volume.warnings, *scan, loaded);
     volume.dicom = facts_of(*scan, plan);
     return volume;
+}
+
+std::shared_ptr<const DicomSource> dicom_source_of(const SeriesEntry& series, const JobContext& job) {
+    const auto scan = scan_of(series, job);
+    refuse_faults(*scan);
+    const File& first = scan->file_of(scan->slices.front());
+    std::vector<std::string> names;
+    for (const Frame& slice : scan->slices) names.push_back(scan->name_of(slice));
+    const StackPlan plan = plan_stack(scan->slices, {first.pixels.columns, first.pixels.rows}, names);
+    auto source = std::make_shared<DicomSource>();
+    source->study_uid = first.study_uid;
+    source->series_uid = first.series_uid;
+    source->frame_of_reference_uid = first.frame_of_reference_uid;
+    for (std::size_t i = 0; i < plan.order.size(); ++i) {
+        const Frame& slice = scan->slices[plan.order[i]];
+        const File& file = scan->file_of(slice);
+        const double plane = slice.position ? plan.grid.mm_to_voxel(*slice.position).z : double(i);
+        source->images.push_back({file.path, file.sop_class_uid, file.sop_instance_uid,
+                                  file.frames.size() > 1 ? slice.number + 1 : 0, plane});
+    }
+    return source;
 }
 
 }  // namespace lacuna
