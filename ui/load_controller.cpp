@@ -1,6 +1,24 @@
 #include "ui/load_controller.h"
 
+#include "core/io/volume_reader.h"
+#include "core/render/brick_plan.h"
+
 namespace lacuna::ui {
+
+namespace {
+
+/// Slices show any voxel at any time, so a window's volume must go into memory. Told by the header where it can be.
+void require_memory(const std::string& name, const OpenOptions& options) {
+    if (!options.series.empty()) return;
+    const std::optional<Volume> parts = open_volume_in_parts(name, options);
+    const std::uint64_t limit = default_memory_limit();
+    if (!parts || parts->total_bytes() <= limit) return;
+    throw Error(Errc::out_of_memory, "The volume holds " + std::to_string(parts->total_bytes() >> 20) +
+                                         " MB and the window may take " + std::to_string(limit >> 20) +
+                                         " MB (75 % of the machine's memory); lacuna render draws it from disk.");
+}
+
+}  // namespace
 
 void LoadController::open(const QString& input, const QString& series) {
     job_.start(
@@ -8,6 +26,7 @@ void LoadController::open(const QString& input, const QString& series) {
             OpenOptions options;
             options.series = series;
             try {
+                require_memory(name, options);
                 // Reading is most of it; the statistics take the rest.
                 Volume volume = open_volume(name, options, job.part(0, 0.9));
                 return Opened{make_document(name, std::move(volume), job.part(0.9, 1)), {}};
