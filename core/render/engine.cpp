@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "core/base/stopwatch.h"
+#include "core/render/brick_plan.h"
 #include "core/render/highlight.h"
 #include "core/render/opencl_renderer.h"
 #include "core/render/reference_renderer.h"
@@ -17,9 +18,42 @@ Engine::Engine(std::shared_ptr<ComputeDevice> device)
 
 Engine::~Engine() = default;
 
-RenderResult Engine::render(const Scene& scene, const Plan& plan, const JobContext& job, bool count) {
+namespace {
+
+/// What needs all voxels at hand.
+void refuse_outside_memory(const Scene& scene, bool has_device) {
+    if (scene.volume.in_memory()) return;
+    const auto refuse = [](const std::string& what) {
+        throw Error(Errc::unsupported, what + " needs the whole volume in memory, and this one is read in parts; "
+                                              "raise --memory-limit or leave it out.");
+    };
+    if (scene.mode == ViewMode::shear_warp) refuse("Shear-warp");
+    if (!has_device) refuse("The reference renderer, used where no OpenCL device works,");
+    for (const Effect& effect : scene.effects)
+        if (effect.kind == EffectKind::ao) refuse("The effect 'ao'");
+}
+
+}  // namespace
+
+Plan Engine::fitted(const Plan& plan, const Scene& scene) const {
+    refuse_outside_memory(scene, device_ != nullptr);
+    if (!opencl_ || scene.mode == ViewMode::shear_warp) return plan;
+    MemoryBudget budget;
+    budget.total = memory_limit_ ? memory_limit_ : default_memory_limit();
+    budget.device_allocation = device_->info().max_allocation_bytes;
+    budget.device_total = device_->unified_memory() ? 0 : device_->info().memory_bytes;
+    return with_bricks(plan, scene, budget);
+}
+
+void Engine::adopt(std::shared_ptr<const BrickIndex> index) {
+    std::lock_guard lock(mutex_);
+    if (opencl_) opencl_->adopt(std::move(index));
+}
+
+RenderResult Engine::render(const Scene& scene, const Plan& asked, const JobContext& job, bool count) {
     check(scene);
-    check(plan, scene);
+    check(asked, scene);
+    const Plan plan = asked.brick > 0 && asked.brick_bytes > 0 ? asked : fitted(asked, scene);
     std::unique_lock lock(mutex_, std::defer_lock);
     while (!lock.try_lock_for(std::chrono::milliseconds(10))) job.check();
     job.check();

@@ -14,6 +14,7 @@
 namespace lacuna {
 
 class ComputeDevice;
+struct BrickIndex;
 class OpenClRenderer;
 class ShearWarpRenderer;
 
@@ -25,7 +26,8 @@ struct BuildRecord {
 
 struct RenderResult {
     Frame frame;
-    std::map<std::string, BuildRecord> build;  ///< by structure name
+    std::map<std::string, BuildRecord> build;  ///< by structure name; of bricks all together
+    std::optional<BrickCounts> bricks;         ///< only where the plan cut the volume into bricks
 };
 
 /// Executes plans: the one door to all renderers. Holds the device and the cached structures. Thread-safe: one frame
@@ -40,6 +42,14 @@ public:
     /// @throws Error(bad_usage) if check(scene) or check(plan, scene) does; Error(cancelled), Error(out_of_memory)
     RenderResult render(const Scene& scene, const Plan& plan, const JobContext& job = {}, bool count = false);
 
+    /// The plan with bricks where the volume needs them (with_bricks), as render() would add them itself.
+    /// @throws Error(out_of_memory), and Error(unsupported) for what cannot be drawn of a volume not in memory
+    Plan fitted(const Plan& plan, const Scene& scene) const;
+    /// Bytes of host and device memory to stay within; 0: 75 % of the machine's.
+    void set_memory_limit(std::uint64_t bytes) { memory_limit_ = bytes; }
+    /// Makes known what was already learnt of a volume, so that its bricks need not be gone through again.
+    void adopt(std::shared_ptr<const BrickIndex> index);
+
     /// "pthread-AMD EPYC ..." or "reference renderer (no OpenCL device)".
     std::string device_name() const;
     /// Bytes held by cached structures and device copies now.
@@ -51,6 +61,7 @@ private:
     std::shared_ptr<ComputeDevice> device_;
     std::unique_ptr<OpenClRenderer> opencl_;
     std::unique_ptr<ShearWarpRenderer> shear_warp_;
+    std::uint64_t memory_limit_ = 0;
     mutable std::timed_mutex mutex_;
 };
 

@@ -24,6 +24,18 @@ struct Counters {
     }
 };
 
+/// What casting a volume brick by brick came to.
+struct BrickCounts {
+    int total = 0;                 ///< bricks of the volume
+    int empty = 0;                 ///< of these with nothing to see
+    int hidden = 0;                ///< not looked at: outside the picture, or behind what no ray sees through
+    int uniform = 0;               ///< cast without their voxels: one value all through
+    int loaded = 0;                ///< read for this picture; others were still there
+    int cast = 0;                  ///< gone through by rays
+    std::uint64_t bytes_read = 0;  ///< of voxels, for this picture
+    std::uint64_t bytes_peak = 0;  ///< bricks and structures held at once, the most
+};
+
 /// A picture as rendered: floats, row 0 on top.
 struct Frame {
     glm::ivec2 size{0};

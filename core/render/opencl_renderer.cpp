@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "core/base/stopwatch.h"
 #include "core/compute/bands.h"
 #include "core/compute/buffers.h"
 #include "core/compute/device_error.h"
+#include "core/render/brick_plan.h"
+#include "core/render/brick_stream.h"
+#include "core/render/brick_view.h"
 #include "core/render/device_volume.h"
 #include "core/render/ray_params.h"
 #include "core/render/sparse_casting.h"
@@ -51,6 +55,7 @@ OpenClRenderer::~OpenClRenderer() = default;
 std::size_t OpenClRenderer::bytes_held() const {
     std::size_t bytes = structures_.bytes();
     if (volume_) bytes += volume_->extra_bytes();
+    if (bricks_) bytes += bricks_->bytes();
     if (output_) bytes += output_->capacity * (sizeof(glm::vec4) + sizeof(float));
     return bytes;
 }
@@ -58,6 +63,7 @@ std::size_t OpenClRenderer::bytes_held() const {
 void OpenClRenderer::drop_caches() {
     structures_.drop();
     volume_.reset();
+    bricks_.reset();
     tables_.reset();
     output_.reset();
 }
@@ -67,7 +73,18 @@ void OpenClRenderer::hold_volume(const Volume& volume) {
     structures_.hold(volume);
     tables_.reset();  // how fine they are depends on the voxel type
     volume_.reset();  // the old one goes before the new one needs the memory
+    bricks_.reset();
     volume_ = std::make_unique<DeviceVolume>(*device_, volume);
+}
+
+void OpenClRenderer::hold_bricks(const Scene& scene, const Plan& plan) {
+    const BrickGrid grid(scene.volume.geometry().size, plan.brick, ghost_voxels(scene, plan));
+    if (bricks_ && bricks_->serves(scene.volume, grid)) return;
+    structures_.drop();
+    tables_.reset();
+    volume_.reset();
+    bricks_.reset();
+    bricks_ = std::make_unique<BrickStream>(device_, scene.volume, grid, index_);
 }
 
 void OpenClRenderer::make_tables(const Scene& scene, double step_mm) {
@@ -101,27 +118,28 @@ cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, const B
                                                                : 3;
         extra = " -DLACUNA_PROJECTION=" + std::to_string(projection);
     }
-    const std::string options =
-        "-DLACUNA_LANES=" + std::to_string(lanes_) + " -DLACUNA_VOXEL=" + std::to_string(int(scene.volume.type())) +
-        " -DLACUNA_SAMPLER=" + (plan.sampler == Sampler::linear ? "1" : "0") +
-        " -DLACUNA_STRUCTURE=" + std::to_string(structure.kernel_id) +
-        " -DLACUNA_RUNS=" + (structure.runs && scene.mode == ViewMode::ea ? "1" : "0") +
-        " -DLACUNA_RANGES=" + (scene.classification.ranges.empty() ? "0" : "1") +
-        " -DLACUNA_TILES=" + (tiles ? "1" : "0") + " -DLACUNA_COUNT=" + (count ? "1" : "0") + extra + structure.options;
+    const std::string options = "-DLACUNA_LANES=" + std::to_string(lanes_) +
+                                " -DLACUNA_VOXEL=" + std::to_string(int(scene.volume.type())) +
+                                " -DLACUNA_SAMPLER=" + (plan.sampler == Sampler::linear ? "1" : "0") +
+                                " -DLACUNA_STRUCTURE=" + std::to_string(structure.kernel_id) +
+                                " -DLACUNA_RUNS=" + (structure.runs && scene.mode == ViewMode::ea ? "1" : "0") +
+                                " -DLACUNA_RANGES=" + (scene.classification.ranges.empty() ? "0" : "1") +
+                                " -DLACUNA_TILES=" + (tiles ? "1" : "0") + " -DLACUNA_COUNT=" + (count ? "1" : "0") +
+                                extra + structure.options + (plan.brick > 0 ? " -DLACUNA_CARRY=1" : "");
     const std::string key = name + options;
     auto found = kernels_.find(key);
     if (found == kernels_.end()) found = kernels_.emplace(key, library_.kernel(source, name, options)).first;
     return found->second;
 }
 
-void OpenClRenderer::run_bands(cl::Kernel& kernel, glm::ivec2 padded, const JobContext& job) {
+void OpenClRenderer::run_bands(cl::Kernel& kernel, const PixelRect& rect, const JobContext& job) {
     const int packet = lanes_ == 16 ? 4 : 1, group = lanes_ == 16 ? 4 : 8;
     run_in_bands(
-        *device_, padded.y, k_group_pixels,
+        *device_, rect.size().y, k_group_pixels,
         [&](int first, int count, cl::Event& done) {
-            kernel.setArg(k_first_row_arg, cl_int(first));
+            kernel.setArg(k_first_row_arg, cl_int(rect.first.y + first));
             device_->queue().enqueueNDRangeKernel(
-                kernel, cl::NullRange, cl::NDRange(std::size_t(padded.x / packet), std::size_t(count / packet)),
+                kernel, cl::NullRange, cl::NDRange(std::size_t(rect.size().x / packet), std::size_t(count / packet)),
                 cl::NDRange(std::size_t(group), std::size_t(group)), nullptr, &done);
         },
         job);
@@ -193,6 +211,8 @@ struct OpenClRenderer::Cast {
     const BoundStructure& structure;
     const JobContext& job;
     bool count;
+    const cl::Buffer& voxels;
+    std::map<std::string, BuildRecord>* build = nullptr;  ///< of the bricks' structures
 };
 
 void OpenClRenderer::bind(cl::Kernel& kernel, const Cast& cast, const RayParams& params) {
@@ -201,7 +221,7 @@ void OpenClRenderer::bind(cl::Kernel& kernel, const Cast& cast, const RayParams&
                             const_cast<RayParams*>(&params));
     const bool ea = cast.scene.mode == ViewMode::ea;
     cl_uint arg = 0;
-    kernel.setArg(arg++, volume_->voxels());
+    kernel.setArg(arg++, cast.voxels);
     kernel.setArg(arg++, constants_);
     kernel.setArg(arg++, cl_int(0));  // first row or tile: set for each launch
     if (ea) kernel.setArg(arg++, tables_->opacity);
@@ -211,7 +231,122 @@ void OpenClRenderer::bind(cl::Kernel& kernel, const Cast& cast, const RayParams&
     if (ea && cast.tables->uses_gradient) kernel.setArg(arg++, tables_->gradient);
     for (const cl::Buffer& buffer : cast.structure.buffers) kernel.setArg(arg++, buffer);
     if (cast.count) kernel.setArg(arg++, output_->counters);
+    if (cast.plan.brick > 0)
+        for (const cl::Buffer& buffer : {whole_constants_, brick_constants_, carry_}) kernel.setArg(arg++, buffer);
     tiles_arg_ = arg;
+}
+
+void OpenClRenderer::cast(const Cast& cast, const RayParams& params, const cl::Buffer* tiles, int tile_count) {
+    if (cast.plan.brick > 0) return cast_bricks(cast, params, tiles, tile_count);
+    cl::Kernel& caster = kernel(cast.scene, cast.plan, cast.structure, cast.count, tiles != nullptr);
+    bind(caster, cast, params);
+    if (!tiles) return run_bands(caster, {{0, 0}, output_->padded}, cast.job);
+    caster.setArg(tiles_arg_, *tiles);
+    run_tiles(caster, tile_count, cast.job);
+}
+
+void OpenClRenderer::begin_carrying() {
+    const std::size_t pixels = std::size_t(output_->padded.x) * std::size_t(output_->padded.y);
+    const std::size_t bytes = pixels * LACUNA_CARRY_PLANES * sizeof(float);
+    if (!carry_() || carry_.getInfo<CL_MEM_SIZE>() < bytes) carry_ = scratch_buffer(*device_, bytes);
+    device_->queue().enqueueFillBuffer(carry_, cl_uint(0), 0, bytes);
+    device_->queue().enqueueFillBuffer(output_->color, cl_float(0), 0, pixels * sizeof(glm::vec4));
+    device_->queue().enqueueFillBuffer(output_->depth, std::numeric_limits<cl_float>::infinity(), 0,
+                                       pixels * sizeof(float));
+}
+
+/// Whether no ray that meets the brick goes on that far: then it need not be loaded.
+bool OpenClRenderer::is_hidden(const BrickView& view, std::int64_t brick, const PixelRect& rect, const Cast& cast) {
+    if (cast.scene.mode != ViewMode::iso && cast.scene.mode != ViewMode::ea) return false;
+    const glm::ivec2 size = rect.size();
+    std::vector<glm::vec4> color(std::size_t(size.x) * std::size_t(size.y));
+    const std::array<std::size_t, 3> from{std::size_t(rect.first.x) * sizeof(glm::vec4), std::size_t(rect.first.y), 0};
+    const std::array<std::size_t, 3> region{std::size_t(size.x) * sizeof(glm::vec4), std::size_t(size.y), 1};
+    device_->queue().enqueueReadBufferRect(output_->color, CL_TRUE, from, {0, 0, 0}, region,
+                                           std::size_t(output_->padded.x) * sizeof(glm::vec4), 0, region[0], 0,
+                                           color.data());
+    // A little more than the kernel asks for, because 1 - (1 - t) is not quite t.
+    const double left = cast.scene.mode == ViewMode::ea ? 0.999 * cast.plan.ert - 1e-6 : 0;
+    const glm::ivec3 at = bricks_->grid().at(brick);
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const double through = 1.0 - double(color[std::size_t(y) * std::size_t(size.x) + std::size_t(x)].a);
+            if (through > std::max(left, 0.0) && view.meets(at, rect.first.x + x, rect.first.y + y, 0.5)) return false;
+        }
+    return true;
+}
+
+void OpenClRenderer::cast_brick(const Cast& cast, RayParams params, std::int64_t brick, const BrickState& state,
+                                const PixelRect& rect, const cl::Buffer* tiles, int tile_count) {
+    BrickStream::Brick& held = bricks_->hold(brick, state, cast.plan.brick_bytes, cast.job);
+    Scene part = cast.scene;
+    part.volume = held.volume;
+    Plan plan = cast.plan;
+    if (state.content == BrickContent::uniform) plan.structure = Structure::none;
+    put_volume(params, held.volume.geometry().size, held.voxels->stored_size());
+    std::map<std::string, BuildRecord> build;
+    const BoundStructure structure = held.structures->prepare(part, plan, cast.tables, params, build, cast.job);
+    for (const auto& [name, made] : build) {
+        (*cast.build)[name].ms += made.ms;
+        (*cast.build)[name].bytes += made.bytes;
+    }
+    // Rays are the whole volume's, and so is the rounding of their positions.
+    params.exit_margin = exit_margin(cast.scene.volume.geometry().size, plan.step);
+    BrickParams place = bricks_->place(brick);
+    place.first_x = rect.first.x;
+    brick_constants_ = cl::Buffer(device_->context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof place, &place);
+    const Cast own{part, plan, cast.tables, structure, cast.job, cast.count, held.voxels->voxels()};
+    cl::Kernel& caster = kernel(part, plan, structure, cast.count, tiles != nullptr);
+    bind(caster, own, params);
+    if (tiles) {
+        caster.setArg(tiles_arg_, *tiles);
+        run_tiles(caster, tile_count, cast.job);
+    } else {
+        run_bands(caster, rect, cast.job);
+    }
+    ++bricks_->counts.cast;
+}
+
+void OpenClRenderer::cast_bricks(const Cast& cast, const RayParams& params, const cl::Buffer* tiles, int tile_count) {
+    begin_carrying();
+    whole_constants_ = cl::Buffer(device_->context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof params,
+                                  const_cast<RayParams*>(&params));
+    const std::vector<BrickState>& states =
+        bricks_->states(cast.scene, cast.plan, cast.tables, {cast.job.stop, nullptr});
+    const BrickView view(bricks_->grid(), params, cast.scene.camera.fov_deg.has_value());
+    const std::vector<std::int64_t> order = view.front_to_back();
+    BrickCounts& counts = bricks_->counts;
+    counts.total = int(order.size());
+    counts.empty = counts.hidden = counts.uniform = 0;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const BrickState& state = states[std::size_t(order[i])];
+        cast.job.checkpoint(i, order.size());
+        counts.empty += state.content == BrickContent::empty;
+        if (state.content == BrickContent::empty) continue;
+        PixelRect rect = view.pixels_of(bricks_->grid().at(order[i]));
+        const bool resident = bricks_->resident(order[i]) || state.content == BrickContent::uniform;
+        if (rect.empty() || (!resident && !tiles && is_hidden(view, order[i], rect, cast))) {
+            ++counts.hidden;
+            continue;
+        }
+        counts.uniform += state.content == BrickContent::uniform;
+        rect.first = rect.first / k_group_pixels * k_group_pixels;
+        rect.end = {round_up(rect.end.x, k_group_pixels), round_up(rect.end.y, k_group_pixels)};
+        const double n = double(order.size());
+        const JobContext job = cast.job.part(double(i) / n, double(i + 1) / n);
+        const Cast own{cast.scene, cast.plan, cast.tables, cast.structure, job, cast.count, cast.voxels, cast.build};
+        cast_brick(own, params, order[i], state, rect, tiles, tile_count);
+    }
+}
+
+/// Rays that meet the volume's box, counted once: kernels see only those that meet a brick.
+std::uint64_t OpenClRenderer::count_rays(const Cast& cast, const RayParams& params, glm::ivec2 size) {
+    const BrickGrid whole(cast.scene.volume.geometry().size, 1 << 30, glm::ivec3(0));
+    const BrickView view(whole, params, cast.scene.camera.fov_deg.has_value());
+    std::uint64_t rays = 0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) rays += view.meets({0, 0, 0}, x, y, 0.0);
+    return rays;
 }
 
 Frame OpenClRenderer::cast_picture(const Cast& cast, RayParams params, glm::ivec2 size) {
@@ -220,11 +355,10 @@ Frame OpenClRenderer::cast_picture(const Cast& cast, RayParams params, glm::ivec
     params.height = size.y;
     params.out_stride = padded.x;
     hold_output(padded, cast.count);
-    cl::Kernel& caster = kernel(cast.scene, cast.plan, cast.structure, cast.count, false);
-    bind(caster, cast, params);
-    run_bands(caster, padded, cast.job);
+    this->cast(cast, params, nullptr, 0);
     Frame frame = read_frame(size);
     if (cast.count) frame.counters = read_counters();
+    if (cast.count && cast.plan.brick > 0) frame.counters.rays = count_rays(cast, params, size);
     return frame;
 }
 
@@ -235,12 +369,9 @@ void OpenClRenderer::cast_tiles(const Cast& cast, RayParams params, std::vector<
     const glm::ivec2 padded(round_up(frame.size.x, k_group_pixels), round_up(frame.size.y, k_group_pixels));
     params.out_stride = padded.x;
     hold_output(padded, cast.count);
-    cl::Kernel& caster = kernel(cast.scene, cast.plan, cast.structure, cast.count, true);
-    bind(caster, cast, params);
-    cl::Buffer list(device_->context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, tiles.size() * sizeof(glm::ivec2),
-                    tiles.data());
-    caster.setArg(tiles_arg_, list);
-    run_tiles(caster, int(tiles.size()), cast.job);
+    const cl::Buffer list(device_->context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR,
+                          tiles.size() * sizeof(glm::ivec2), tiles.data());
+    this->cast(cast, params, &list, int(tiles.size()));
     const Frame again = read_frame(frame.size);
     for (std::size_t i = 0; i < wanted; ++i)
         for (int y = tiles[i].y; y < std::min(tiles[i].y + 4, frame.size.y); ++y)
@@ -275,18 +406,24 @@ Frame OpenClRenderer::cast_sparsely(const Cast& cast, const RayParams& params) {
 RenderResult OpenClRenderer::render(const Scene& scene, const Plan& plan, const JobContext& job, bool count) {
     return with_device_errors("rendering", [&] {
         RenderResult result;
-        hold_volume(scene.volume);
+        const bool whole = plan.brick == 0;
+        whole ? hold_volume(scene.volume) : hold_bricks(scene, plan);
         if (needs_tables(scene)) make_tables(scene, plan.step * scene.volume.geometry().smallest_spacing_mm());
         const TransferTables* tables = needs_tables(scene) ? &tables_->host : nullptr;
-        RayParams params = make_ray_params(scene, plan, volume_->stored_size(), tables);
-        const BoundStructure structure = structures_.prepare(scene, plan, tables, params, result.build, job);
-        const Cast cast{scene, plan, tables, structure, job, count};
-        kernel(scene, plan, structure, count, false);  // compiled before the clock starts
-        if (plan.sparse >= 2) kernel(scene, plan, structure, count, true);
+        const glm::ivec3 size = scene.volume.geometry().size;
+        RayParams params = make_ray_params(scene, plan, whole ? volume_->stored_size() : size, tables);
+        BoundStructure structure;  // bricks have each their own
+        if (whole) structure = structures_.prepare(scene, plan, tables, params, result.build, job);
+        const Cast cast{scene,        plan, tables, structure, job, count, whole ? volume_->voxels() : constants_,
+                        &result.build};
+        if (whole) kernel(scene, plan, structure, count, false);  // compiled before the clock starts
+        if (whole && plan.sparse >= 2) kernel(scene, plan, structure, count, true);
+        if (!whole) bricks_->counts = {};
 
         const Stopwatch watch;
         result.frame = plan.sparse >= 2 ? cast_sparsely(cast, params) : cast_picture(cast, params, scene.size);
         result.frame.ms = watch.ms();
+        if (!whole) result.bricks = bricks_->counts;
         return result;
     });
 }

@@ -16,7 +16,12 @@
 
 namespace lacuna {
 
+class BrickStream;
+class BrickView;
 class DeviceVolume;
+struct BrickIndex;
+struct BrickState;
+struct PixelRect;
 
 /// Runs the ray-casting kernels on one device: iso, EA and the MIP family, by any structure that serves them. Keeps the
 /// volume on the device and the structures built from it until another volume comes. Not thread-safe: one frame at a
@@ -31,6 +36,9 @@ public:
     /// @param count  run the counting variant of the kernel and fill the frame's counters
     RenderResult render(const Scene& scene, const Plan& plan, const JobContext& job, bool count);
 
+    /// What is known of a volume that will be drawn brick by brick.
+    void adopt(std::shared_ptr<const BrickIndex> index) { index_ = std::move(index); }
+
     std::size_t bytes_held() const;
     void drop_caches();
 
@@ -42,12 +50,21 @@ private:
     void hold_volume(const Volume& volume);
     void make_tables(const Scene& scene, double step_mm);
     cl::Kernel& kernel(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool count, bool tiles);
+    void hold_bricks(const Scene& scene, const Plan& plan);
     void hold_output(glm::ivec2 padded, bool count);
     Counters read_counters();
     void bind(cl::Kernel& kernel, const Cast& cast, const RayParams& params);
-    void run_bands(cl::Kernel& kernel, glm::ivec2 padded, const JobContext& job);
+    void run_bands(cl::Kernel& kernel, const PixelRect& rect, const JobContext& job);
     void run_tiles(cl::Kernel& kernel, int tiles, const JobContext& job);
     Frame read_frame(glm::ivec2 size);
+    /// Casts the picture, or the tiles of a list, through whole volume or bricks, into the output held.
+    void cast(const Cast& cast, const RayParams& params, const cl::Buffer* tiles, int tile_count);
+    void cast_bricks(const Cast& cast, const RayParams& params, const cl::Buffer* tiles, int tile_count);
+    void begin_carrying();
+    void cast_brick(const Cast& cast, RayParams params, std::int64_t brick, const BrickState& state,
+                    const PixelRect& rect, const cl::Buffer* tiles, int tile_count);
+    std::uint64_t count_rays(const Cast& cast, const RayParams& params, glm::ivec2 size);
+    bool is_hidden(const BrickView& view, std::int64_t brick, const PixelRect& rect, const Cast& cast);
     Frame cast_picture(const Cast& cast, RayParams params, glm::ivec2 size);
     void cast_tiles(const Cast& cast, RayParams params, std::vector<glm::ivec2> tiles, Frame& frame);
     Frame cast_sparsely(const Cast& cast, const RayParams& params);
@@ -57,10 +74,12 @@ private:
     StructureCache structures_;
     int lanes_;
     std::map<std::string, cl::Kernel> kernels_;
-    std::unique_ptr<DeviceVolume> volume_;
+    std::unique_ptr<DeviceVolume> volume_;  ///< of the volume held whole
+    std::unique_ptr<BrickStream> bricks_;   ///< or in bricks
+    std::shared_ptr<const BrickIndex> index_;
     std::unique_ptr<Tables> tables_;
     std::unique_ptr<Output> output_;
-    cl::Buffer constants_;
+    cl::Buffer constants_, whole_constants_, brick_constants_, carry_;
     cl_uint tiles_arg_ = 0;  ///< of the kernel bound last: where a tile list goes
 };
 

@@ -26,6 +26,7 @@ constexpr NameTable<VoxelGradient, 3> k_voxel_gradient_names{
 
 constexpr double k_min_step = 0.01, k_max_step = 100;
 constexpr int k_max_refine_steps = 64;
+constexpr int k_least_brick = 8, k_largest_brick = 1024;
 
 }  // namespace
 
@@ -109,6 +110,10 @@ void check(const Plan& plan, const Scene& scene) {
                     "The homogeneity threshold must not be negative, its angle lie within 0 to 180 degrees.");
     if (plan.cells != 1 && plan.cells != 4 && plan.cells != 8 && plan.cells != 16)
         throw Error(Errc::bad_usage, "The macro-cell edge must be 1, 4, 8 or 16 voxels.");
+    if (plan.brick != 0 && (plan.brick < k_least_brick || plan.brick > k_largest_brick))
+        throw Error(Errc::bad_usage, "The brick edge must lie between 8 and 1024 voxels; 0: no bricks.");
+    if (plan.brick != 0 && scene.mode == ViewMode::shear_warp)
+        throw Error(Errc::bad_usage, "Shear-warp does not work on bricks; use mode iso.");
     if (plan.sparse != 0 && (plan.sparse < 2 || plan.sparse > 64))
         throw Error(Errc::bad_usage, "Sparse casting takes every 2nd to 64th pixel.");
     if (!(plan.sparse_gradient >= 0))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,7 +34,9 @@ struct Plan {
     double sparse_gradient = 0.02;  ///< colour difference (0..1) between cast pixels above which all between are cast
     int directions = 24;  ///< shear_warp: regions of viewing directions visible voxels are listed for, 6 or 24
     VoxelGradient voxel_gradient = VoxelGradient::sobel;  ///< shear_warp, nearest: normals of the listed voxels
-    std::vector<std::string> why;                         ///< one sentence a choice, and what was not built
+    int brick = 0;  ///< the volume is cut into bricks of so many voxels an edge, cast one after the other; 0: whole
+    std::uint64_t brick_bytes = 0;  ///< bricks and their structures may take so much together; 0: Engine says
+    std::vector<std::string> why;   ///< one sentence a choice, and what was not built
 };
 
 std::string_view name_of(Structure structure);

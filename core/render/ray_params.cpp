@@ -59,15 +59,19 @@ void put_tables(RayParams& p, const TransferTables& tables) {
 
 }  // namespace
 
+void put_volume(RayParams& p, glm::ivec3 size, glm::ivec3 stored_size) {
+    put(p.last, glm::dvec3(size - 1));
+    for (int a = 0; a < 3; ++a) p.size[a] = stored_size[a];
+    p.stride_y = s_uint(stored_size.x);
+    p.stride_z = s_uint(std::int64_t(stored_size.x) * stored_size.y);
+}
+
 RayParams make_ray_params(const Scene& scene, const Plan& plan, glm::ivec3 stored_size, const TransferTables* tables) {
     const GridGeometry& grid = scene.volume.geometry();
     RayParams p{};
     put_rays(p, resolve(scene.camera, grid, scene.size), grid);
     put(p.spacing, grid.spacing);
-    put(p.last, glm::dvec3(grid.size - 1));
-    for (int a = 0; a < 3; ++a) p.size[a] = stored_size[a];
-    p.stride_y = s_uint(stored_size.x);
-    p.stride_z = s_uint(std::int64_t(stored_size.x) * stored_size.y);
+    put_volume(p, grid.size, stored_size);
     p.step_mm = float(plan.step * grid.smallest_spacing_mm());
     p.width = scene.size.x;
     p.height = scene.size.y;

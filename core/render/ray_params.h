@@ -13,4 +13,7 @@ namespace lacuna {
 /// @param tables       may be null for modes without a transfer function
 RayParams make_ray_params(const Scene& scene, const Plan& plan, glm::ivec3 stored_size, const TransferTables* tables);
 
+/// Puts in another volume's voxels: its size, that stored, and the strides. What describes rays stays.
+void put_volume(RayParams& params, glm::ivec3 size, glm::ivec3 stored_size);
+
 }  // namespace lacuna

@@ -59,13 +59,16 @@ ValueRange value_range(const MacrocellGrid& grid) {
     return values;
 }
 
+float exit_margin(glm::ivec3 size, double step) {
+    // Single precision tells positions apart to about size * 2^-23; a few of those, in samples.
+    return float(1e-3 + 1e-6 * std::max({size.x, size.y, size.z}) / step);
+}
+
 void put_cells(RayParams& p, glm::ivec3 cells, int shift, const StructureContext& context) {
     for (int a = 0; a < 3; ++a) p.cells[a] = cells[a];
     p.cell_shift = shift;
     p.cell_size = float(1 << shift);
-    // Single precision tells positions apart to about size * 2^-23; a few of those, in samples.
-    const glm::ivec3 size = context.scene.volume.geometry().size;
-    p.exit_margin = float(1e-3 + 1e-6 * std::max({size.x, size.y, size.z}) / context.plan.step);
+    p.exit_margin = exit_margin(context.scene.volume.geometry().size, context.plan.step);
 }
 
 }  // namespace lacuna

@@ -65,6 +65,8 @@ struct StructureContext {
 
 /// Smallest and largest value of all cells; {0, 0} when no cell has any.
 ValueRange value_range(const MacrocellGrid& grid);
+/// How near (in samples) to a cell's far face a sample must lie to count as behind it, in a volume of this size.
+float exit_margin(glm::ivec3 size, double step);
 /// Puts the grid into the kernel's parameters: cells, cell_shift, cell_size, exit_margin.
 void put_cells(RayParams& params, glm::ivec3 cells, int shift, const StructureContext& context);
 

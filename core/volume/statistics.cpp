@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "core/base/parallel.h"
+#include "core/volume/volume_pieces.h"
 
 namespace lacuna {
 
@@ -17,13 +18,32 @@ constexpr std::size_t k_float_bins = 4096;
 /// of threads.
 constexpr int k_float_bands = 64;
 
-/// Counts every value of an integer type; two tables in turn, because air repeats one value and an increment would
+template <class T>
+constexpr std::size_t k_values = std::size_t(1) << (8 * sizeof(T));
+
+/// Counts of every value of an integer type; two tables in turn, because air repeats one value and an increment would
 /// wait for the store of the one before it.
 template <class T>
+struct ValueCounter {
+    std::vector<std::uint32_t> even = std::vector<std::uint32_t>(k_values<T>, 0), odd = even;
+
+    void add(const T* p, std::int64_t count) {
+        constexpr int k_offset = -int(std::numeric_limits<T>::min());
+        std::int64_t i = 0;
+        for (; i + 1 < count; i += 2) {
+            ++even[std::size_t(int(p[i]) + k_offset)];
+            ++odd[std::size_t(int(p[i + 1]) + k_offset)];
+        }
+        if (i < count) ++even[std::size_t(int(p[i]) + k_offset)];
+    }
+    void add_to(std::vector<std::uint64_t>& counts) const {
+        for (std::size_t v = 0; v < k_values<T>; ++v) counts[v] += std::uint64_t(even[v]) + odd[v];
+    }
+};
+
+template <class T>
 std::vector<std::uint64_t> count_values(std::span<const T> voxels, const JobContext& job) {
-    constexpr std::size_t k_values = std::size_t(1) << (8 * sizeof(T));
-    constexpr int k_offset = -int(std::numeric_limits<T>::min());
-    std::vector<std::uint64_t> counts(k_values, 0);
+    std::vector<std::uint64_t> counts(k_values<T>, 0);
     std::mutex mutex;
     const auto total = std::int64_t(voxels.size());
     // A table is 512 KiB at most: bands large enough that adding the tables up costs little beside counting.
@@ -31,24 +51,18 @@ std::vector<std::uint64_t> count_values(std::span<const T> voxels, const JobCont
     parallel_bands(
         0, total, bands,
         [&](std::int64_t first, std::int64_t last) {
-            std::vector<std::uint32_t> even(k_values, 0), odd(k_values, 0);
-            const T* p = voxels.data();
-            std::int64_t i = first;
-            for (; i + 1 < last; i += 2) {
-                ++even[std::size_t(int(p[i]) + k_offset)];
-                ++odd[std::size_t(int(p[i + 1]) + k_offset)];
-            }
-            if (i < last) ++even[std::size_t(int(p[i]) + k_offset)];
+            ValueCounter<T> counter;
+            counter.add(voxels.data() + first, last - first);
             std::lock_guard lock(mutex);  // whole numbers: the order of adding cannot be seen
-            for (std::size_t v = 0; v < k_values; ++v) counts[v] += std::uint64_t(even[v]) + odd[v];
+            counter.add_to(counts);
         },
         job);
     return counts;
 }
 
+/// @param counts  of every value of T, the smallest first
 template <class T>
-VolumeStatistics integer_statistics(std::span<const T> voxels, const JobContext& job) {
-    const std::vector<std::uint64_t> counts = count_values(voxels, job);
+VolumeStatistics statistics_of_counts(const std::vector<std::uint64_t>& counts) {
     VolumeStatistics out;
     const auto used = [](std::uint64_t n) { return n > 0; };
     const auto first = std::find_if(counts.begin(), counts.end(), used);
@@ -71,6 +85,11 @@ VolumeStatistics integer_statistics(std::span<const T> voxels, const JobContext&
     out.mean = lo + sum / n;
     out.stddev = std::sqrt(squares / n);
     return out;
+}
+
+template <class T>
+VolumeStatistics integer_statistics(std::span<const T> voxels, const JobContext& job) {
+    return statistics_of_counts<T>(count_values(voxels, job));
 }
 
 struct FloatBand {
@@ -147,6 +166,116 @@ VolumeStatistics float_statistics(std::span<const float> voxels, const JobContex
     return out;
 }
 
+/// A piece's own voxels of one slice: whole rows, so they lie together.
+template <class T>
+std::span<const T> own_voxels(const VolumePiece& piece, int z) {
+    return {piece.volume.view<T>().row(0, z), std::size_t(piece.own.x) * std::size_t(piece.own.y)};
+}
+
+void add_up(FloatBand& sum, const FloatBand& part) {
+    sum.lo = std::min(sum.lo, part.lo);
+    sum.hi = std::max(sum.hi, part.hi);
+    sum.sum += part.sum;
+    sum.finite += part.finite;
+    sum.bad += part.bad;
+}
+
+}  // namespace
+
+struct StatisticsGatherer::State {
+    VoxelType type;
+    std::vector<std::uint64_t> counts;  // integers
+    FloatBand floats;
+    bool second = false;
+    double mean() const {
+        return floats.finite ? std::clamp(floats.sum / double(floats.finite), floats.lo, floats.hi) : 0;
+    }
+};
+
+StatisticsGatherer::StatisticsGatherer(VoxelType type) : state_(std::make_unique<State>(State{type, {}, {}, false})) {}
+StatisticsGatherer::~StatisticsGatherer() = default;
+
+void StatisticsGatherer::add(const VolumePiece& piece) {
+    State& s = *state_;
+    visit_type(s.type, [&](auto tag) {
+        using T = decltype(tag);
+        if constexpr (std::is_same_v<T, float>) {
+            std::vector<FloatBand> slices(std::size_t(piece.own.z));
+            parallel_for(0, piece.own.z, [&](std::int64_t z) {
+                const std::span<const float> voxels = own_voxels<float>(piece, int(z));
+                const float *from = voxels.data(), *to = from + voxels.size();
+                FloatBand& band = slices[std::size_t(z)];
+                if (s.second)
+                    second_pass(band, from, to, {s.floats.lo, s.floats.hi}, s.mean());
+                else
+                    first_pass(band, from, to);
+            });
+            for (const FloatBand& band : slices) {
+                if (!s.second) {
+                    add_up(s.floats, band);
+                    continue;
+                }
+                s.floats.squares += band.squares;
+                for (std::size_t b = 0; b < k_float_bins; ++b) s.floats.histogram[b] += band.histogram[b];
+            }
+        } else {
+            s.counts.resize(k_values<T>, 0);
+            std::mutex mutex;
+            parallel_bands(0, piece.own.z, std::min(thread_count(), piece.own.z),
+                           [&](std::int64_t first, std::int64_t last) {
+                               ValueCounter<T> counter;
+                               for (std::int64_t z = first; z < last; ++z) {
+                                   const std::span<const T> v = own_voxels<T>(piece, int(z));
+                                   counter.add(v.data(), std::int64_t(v.size()));
+                               }
+                               std::lock_guard lock(mutex);
+                               counter.add_to(s.counts);
+                           });
+        }
+    });
+}
+
+bool StatisticsGatherer::needs_second_pass() const {
+    return state_->type == VoxelType::f32 && !state_->second && state_->floats.hi > state_->floats.lo;
+}
+
+void StatisticsGatherer::begin_second_pass() {
+    state_->second = true;
+    state_->floats.histogram.assign(k_float_bins, 0);
+}
+
+VolumeStatistics StatisticsGatherer::finish() const {
+    const State& s = *state_;
+    if (s.type != VoxelType::f32)
+        return visit_type(s.type, [&](auto tag) {
+            using T = decltype(tag);
+            if constexpr (std::is_same_v<T, float>)
+                return VolumeStatistics{};
+            else
+                return s.counts.empty() ? VolumeStatistics{} : statistics_of_counts<T>(s.counts);
+        });
+    VolumeStatistics out;
+    out.nan_count = s.floats.bad;
+    if (s.floats.finite == 0) return out;
+    out.range = out.histogram_range = {s.floats.lo, s.floats.hi};
+    out.mean = s.mean();
+    out.stddev = std::sqrt(s.floats.squares / double(s.floats.finite));
+    out.histogram = s.second ? s.floats.histogram : std::vector<std::uint64_t>{std::uint64_t(s.floats.finite)};
+    return out;
+}
+
+namespace {
+VolumeStatistics streamed_statistics(const Volume& volume, const JobContext& job) {
+    StatisticsGatherer gatherer(volume.type());
+    const bool twice = volume.type() == VoxelType::f32;
+    const auto take = [&](const VolumePiece& piece) { gatherer.add(piece); };
+    for_each_piece(volume, 1, take, job.part(0, twice ? 0.5 : 1));
+    if (gatherer.needs_second_pass()) {
+        gatherer.begin_second_pass();
+        for_each_piece(volume, 1, take, job.part(0.5, 1));
+    }
+    return gatherer.finish();
+}
 }  // namespace
 
 double VolumeStatistics::percentile(double share) const {
@@ -164,6 +293,7 @@ double VolumeStatistics::percentile(double share) const {
 VolumeStatistics compute_statistics(const Volume& volume, const JobContext& job) {
     job.check();
     if (volume.empty()) return {};
+    if (!volume.in_memory()) return streamed_statistics(volume, job);
     VolumeStatistics statistics = visit_type(volume.type(), [&](auto tag) {
         using T = decltype(tag);
         if constexpr (std::is_same_v<T, float>)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/base/job.h"
@@ -23,8 +24,29 @@ struct VolumeStatistics {
 };
 
 /// Integer types: one bin a value where the range allows (u8/i8 always; u16/i16 up to 65536), so that
-/// histogram_range is [lo - 0.5, hi + 0.5]. f32: 4096 bins over the range.
+/// histogram_range is [lo - 0.5, hi + 0.5]. f32: 4096 bins over the range. Volumes that do not lie in memory are read
+/// once (f32: twice), a piece at a time.
 VolumeStatistics compute_statistics(const Volume& volume, const JobContext& job = {});
+
+struct VolumePiece;
+
+/// The same, gathered piece by piece (for_each_piece) from a volume that need not lie in memory.
+class StatisticsGatherer {
+public:
+    explicit StatisticsGatherer(VoxelType type);
+    ~StatisticsGatherer();
+    /// Adds the voxels that belong to this piece alone.
+    void add(const VolumePiece& piece);
+    /// f32: the range is known only after all pieces; for the histogram they must come a second time.
+    bool needs_second_pass() const;
+    void begin_second_pass();
+    /// @pre all pieces were added, twice where needed
+    VolumeStatistics finish() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 /// Otsu's threshold (Otsu 1979: maximises the between-class variance of the histogram): the midpoint between the two
 /// class-separating bins; `range.lo` for a constant volume. Ties (empty bins between two peaks) take the middle.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/volume/grid_geometry.h"
+#include "core/volume/voxel_source.h"
 #include "core/volume/voxel_type.h"
 
 namespace lacuna {
@@ -67,15 +68,26 @@ template <class T> struct VolumeView {
     std::span<const T> voxels() const { return {data, std::size_t(std::int64_t(size.x) * size.y * size.z)}; }
 };
 
-/// A scalar volume with its geometry. Copies share the voxels, which nobody changes once the volume is made.
+/// A scalar volume with its geometry. Copies share the voxels, which nobody changes once the volume is made. They lie in
+/// memory, or, of a volume larger than that, in a VoxelSource, from which boxes are read (read_box()); only what says so
+/// takes the latter.
 /// Values are in the input's real unit (HU for CT DICOM): a voxel's value is its number, no further scale applies.
 class Volume {
 public:
     Volume() = default;
     /// Takes voxels already filled, x fastest. @throws Error(bad_input) if the geometry is unsound or the size differs
     Volume(GridGeometry geometry, VoxelType type, VoxelBuffer voxels);
+    /// A volume whose voxels stay where they are. @throws Error(bad_input) if the geometry is unsound
+    Volume(GridGeometry geometry, VoxelType type, std::shared_ptr<const VoxelSource> source);
 
-    bool empty() const { return voxels_.size() == 0; }
+    bool empty() const { return voxels_.size() == 0 && !source_; }
+    /// Its voxels can be read at data(); else only box by box.
+    bool in_memory() const { return voxels_.size() != 0; }
+    /// Of all its voxels, wherever they lie.
+    std::uint64_t total_bytes() const { return std::uint64_t(geometry_.voxel_count()) * size_of(type_); }
+    /// Equal for volumes that share their voxels, and for no others alive at the same time.
+    const void* identity() const { return source_ ? static_cast<const void*>(source_.get()) : voxels_.data(); }
+    const std::shared_ptr<const VoxelSource>& source() const { return source_; }
     const GridGeometry& geometry() const { return geometry_; }
     VoxelType type() const { return type_; }
     std::size_t bytes() const { return voxels_.size(); }
@@ -97,7 +109,15 @@ private:
     GridGeometry geometry_;
     VoxelType type_ = VoxelType::u8;
     VoxelBuffer voxels_;
+    std::shared_ptr<const VoxelSource> source_;
 };
+
+/// Copies a box of a volume's voxels, from memory or its source, as VoxelSource::read does.
+/// @pre the box lies inside the grid. @throws Error(io), Error(cancelled)
+void read_box(const Volume& volume, const VoxelBox& box, std::byte* out, const JobContext& job = {});
+
+/// A box of a volume as a volume of its own, in memory, at the same place in space.
+Volume extract_box(const Volume& volume, const VoxelBox& box, const JobContext& job = {});
 
 /// Makes a volume of T by allocating and calling fill(std::span<T>).
 template <class T, class Fill> Volume make_volume(const GridGeometry& geometry, Fill&& fill) {

@@ -6,6 +6,7 @@
 #include "include/packet.clh"
 #include "include/volume.clh"
 #include "include/ray.clh"
+#include "include/carry.clh"
 #include "include/classify.clh"
 #include "include/shade.clh"
 #include "include/output.clh"
@@ -84,23 +85,36 @@ INLINE void add_run(constant RayParams* p, global const float* lut_opacity, glob
 kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                        global const float* restrict lut_opacity, global const uint* restrict lut_color,
                        global float4* restrict out_color, global float* restrict out_depth
-                       GRADIENT_ARGS STRUCTURE_ARGS COUNTER_ARGS LAUNCH_ARGS) {
+                       GRADIENT_ARGS STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
     const int x0 = PIXEL_X0, y0 = PIXEL_Y0;
     if (x0 >= p->out_stride || y0 >= p->height) return;
-    Rays r = make_rays(p, x0, y0);
+    Rays r = CAST_RAYS(p, x0, y0);
+    CARRY(if (!meets_brick(&r)) return;)
     const VF zero = (VF)(0.0f), one = (VF)(1.0f), floor_t = (VF)(p->min_transmittance);
     VF3 c = {zero, zero, zero};
     VF clear = one, depth = (VF)(INFINITY);   // clear: transmittance so far
     COUNT(uint samples = 0; uint skipped = 0; uint reads = 0;)
+#if LACUNA_CARRY
+    global float* const slot = carry_slot(p, carry, x0, y0);
+    if (carry_begun(slot)) {
+        c.x = LOAD_PLANE(slot, 1);
+        c.y = LOAD_PLANE(slot, 2);
+        c.z = LOAD_PLANE(slot, 3);
+        clear = LOAD_PLANE(slot, 4);
+        depth = LOAD_PLANE(slot, 5);
+    }
+#endif
 
-    VI capped = keeps_length(&r) & MASK(r.entry == (VI)(ENTRY_CAP));
+    VI capped = keeps_length(&r) & ENTERS_HERE(&r) & MASK(r.entry == (VI)(ENTRY_CAP));
     if (any_lane(capped)) {
         VF value = sample_volume(volume, p, ray_at(&r, r.enter));
         VI row, inside = in_ranges(p, value, &row);
         VI shown = capped & inside & MASK(gather_float(lut_opacity, lut_index(p, value, row)) > zero);
         VF grey = grey_of(p, value);
-        c.x = c.y = c.z = shown ? grey : zero;
-        clear = shown ? zero : one;
+        c.x = shown ? grey : c.x;
+        c.y = shown ? grey : c.y;
+        c.z = shown ? grey : c.z;
+        clear = shown ? zero : clear;
         depth = shown ? fma(r.enter, (VF)(p->step_mm), r.t0_mm) : depth;
     }
 
@@ -157,6 +171,14 @@ kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams
             if (!any_lane(MASK(r.end > (VI)(k)) & MASK(clear >= floor_t) & MASK(clear > zero))) break;
         }
     }
+#if LACUNA_CARRY
+    carry_begin(slot);
+    STORE_PLANE(slot, 1, c.x);
+    STORE_PLANE(slot, 2, c.y);
+    STORE_PLANE(slot, 3, c.z);
+    STORE_PLANE(slot, 4, clear);
+    STORE_PLANE(slot, 5, depth);
+#endif
     store_packet(p, out_color, out_depth, x0, y0, c, one - clear, depth + p->depth_bias_mm);
     STORE_COUNTERS(p, x0, y0, sum_lanes(counted(r.hits_box)), samples, skipped, reads);
 }

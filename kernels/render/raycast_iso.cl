@@ -4,6 +4,7 @@
 #include "include/packet.clh"
 #include "include/volume.clh"
 #include "include/ray.clh"
+#include "include/carry.clh"
 #include "include/classify.clh"
 #include "include/shade.clh"
 #include "include/output.clh"
@@ -60,21 +61,30 @@ INLINE VF refine_hit(global const voxel_t* volume, constant RayParams* p, const 
 
 kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                         global float4* restrict out_color, global float* restrict out_depth
-                        STRUCTURE_ARGS COUNTER_ARGS LAUNCH_ARGS) {
+                        STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
     const int x0 = PIXEL_X0, y0 = PIXEL_Y0;
     if (x0 >= p->out_stride || y0 >= p->height) return;
-    Rays r = make_rays(p, x0, y0);
+    Rays r = CAST_RAYS(p, x0, y0);
+    CARRY(if (!meets_brick(&r)) return;)
     const VF zero = (VF)(0.0f);
     const VI kept = keeps_length(&r);
     COUNT(uint samples = 0; uint skipped = 0; uint reads = 0;)
 
     // The entry itself: inside the object there, the ray hits the volume's side or the cap, or goes on (open cut).
     VF entry_value = sample_volume(volume, p, ray_at(&r, r.enter));
-    VI starts_inside = kept & MASK(iso_measure(p, entry_value) >= zero);
+    VI starts_inside = kept & ENTERS_HERE(&r) & MASK(iso_measure(p, entry_value) >= zero);
     VI face_hit = starts_inside & MASK(r.entry != (VI)(ENTRY_OPEN));
     Idle state = {starts_inside & ~face_hit};
 
     VI done = face_hit | ~kept;
+#if LACUNA_CARRY
+    global float* const slot = carry_slot(p, carry, x0, y0);
+    const int begun = carry_begun(slot);
+    if (begun) {
+        state.inside |= CARRIED_INT(LOAD_PLANE(slot, 1));
+        done |= CARRIED_INT(LOAD_PLANE(slot, 2));
+    }
+#endif
     VI hit_at = (VI)(-1);
     int k = min_lane((MASK(r.end > r.first) & ~done) ? r.first : (VI)(0x7fffffff));
     const int end = max_lane(done ? (VI)(0) : r.end);
@@ -124,6 +134,24 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
         c.z = any_hit ? (capped ? grey : color.z) : zero;
     }
     VF depth = any_hit ? fma(at, (VF)(p->step_mm), r.t0_mm) + p->depth_bias_mm : (VF)(INFINITY);
-    store_packet(p, out_color, out_depth, x0, y0, c, any_hit ? (VF)(1.0f) : zero, depth);
+    VF alpha = any_hit ? (VF)(1.0f) : zero;
+#if LACUNA_CARRY
+    if (begun) {   // a ray hits in one brick
+        c.x = any_hit ? c.x : LOAD_PLANE(slot, 3);
+        c.y = any_hit ? c.y : LOAD_PLANE(slot, 4);
+        c.z = any_hit ? c.z : LOAD_PLANE(slot, 5);
+        alpha = any_hit ? alpha : LOAD_PLANE(slot, 6);
+        depth = any_hit ? depth : LOAD_PLANE(slot, 7);
+    }
+    carry_begin(slot);
+    STORE_PLANE(slot, 1, AS_FLOAT(state.inside));
+    STORE_PLANE(slot, 2, AS_FLOAT(done));
+    STORE_PLANE(slot, 3, c.x);
+    STORE_PLANE(slot, 4, c.y);
+    STORE_PLANE(slot, 5, c.z);
+    STORE_PLANE(slot, 6, alpha);
+    STORE_PLANE(slot, 7, depth);
+#endif
+    store_packet(p, out_color, out_depth, x0, y0, c, alpha, depth);
     STORE_COUNTERS(p, x0, y0, sum_lanes(counted(r.hits_box)), samples, skipped, reads);
 }

@@ -4,6 +4,7 @@
 #include "include/packet.clh"
 #include "include/volume.clh"
 #include "include/ray.clh"
+#include "include/carry.clh"
 #include "include/classify.clh"
 #include "include/output.clh"
 #include "include/launch.clh"
@@ -38,16 +39,33 @@ INLINE VI lmip_cannot_win(const Idle* state, VF largest) {
 kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                         global const uint* restrict lut_color,
                         global float4* restrict out_color, global float* restrict out_depth
-                        STRUCTURE_ARGS COUNTER_ARGS LAUNCH_ARGS) {
+                        STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
     const int x0 = PIXEL_X0, y0 = PIXEL_Y0;
     if (x0 >= p->out_stride || y0 >= p->height) return;
-    Rays r = make_rays(p, x0, y0);
+    Rays r = CAST_RAYS(p, x0, y0);
+    CARRY(if (!meets_brick(&r)) return;)
     const VF zero = (VF)(0.0f);
     COUNT(uint samples = 0; uint skipped = 0; uint reads = 0;)
     Idle state = {(VF)(LACUNA_PROJECTION == MINIP ? INFINITY : -INFINITY), (VI)(0), (VF)(p->lmip_threshold)};
     VI best_at = (VI)(0), found = (VI)(0), done = (VI)(0), best_row = (VI)(0);
     VF sum = zero, compensation = zero;   // Kahan: thousands of samples in single precision
     VI counted_samples = (VI)(0);
+#if LACUNA_CARRY
+    global float* const slot = carry_slot(p, carry, x0, y0);
+    if (carry_begun(slot)) {
+        found = CARRIED_INT(LOAD_PLANE(slot, 1));
+#if LACUNA_PROJECTION == MEAN
+        sum = LOAD_PLANE(slot, 2);
+        compensation = LOAD_PLANE(slot, 3);
+        counted_samples = CARRIED_INT(LOAD_PLANE(slot, 4));
+#else
+        state.best = LOAD_PLANE(slot, 2);
+        best_at = CARRIED_INT(LOAD_PLANE(slot, 3));
+        state.rising = CARRIED_INT(LOAD_PLANE(slot, 4));
+        done = CARRIED_INT(LOAD_PLANE(slot, 5));
+#endif
+    }
+#endif
 
     int k = min_lane(MASK(r.end > r.first) ? r.first : (VI)(0x7fffffff));
     const int end = max_lane(r.end);
@@ -87,6 +105,20 @@ kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParam
 #endif
         }
     }
+#if LACUNA_CARRY
+    carry_begin(slot);
+    STORE_PLANE(slot, 1, AS_FLOAT(found));
+#if LACUNA_PROJECTION == MEAN
+    STORE_PLANE(slot, 2, sum);
+    STORE_PLANE(slot, 3, compensation);
+    STORE_PLANE(slot, 4, AS_FLOAT(counted_samples));
+#else
+    STORE_PLANE(slot, 2, state.best);
+    STORE_PLANE(slot, 3, AS_FLOAT(best_at));
+    STORE_PLANE(slot, 4, AS_FLOAT(state.rising));
+    STORE_PLANE(slot, 5, AS_FLOAT(done));
+#endif
+#endif
 #if LACUNA_PROJECTION == MEAN
     state.best = sum / TO_FLOAT(max_of_int(counted_samples, (VI)(1)));
 #endif

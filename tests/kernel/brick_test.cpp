@@ -1,0 +1,320 @@
+// A volume cast brick by brick gives the picture it gives whole: every mode, structure, cut, range and camera, brick
+// borders across surfaces, and bricks that are loaded, pushed out and loaded again.
+#include <gtest/gtest.h>
+
+#include "core/render/brick_plan.h"
+#include "core/render/engine.h"
+#include "core/volume/brick_grid.h"
+#include "tests/support/device_renderer.h"
+#include "tests/support/scenes.h"
+
+namespace lacuna {
+namespace {
+
+constexpr std::uint64_t k_plenty = std::uint64_t(1) << 30;
+
+struct Case {
+    std::string name;
+    Scene scene;
+    Plan plan;
+    int edge = 9;
+    int lanes = 16;
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
+Plan exact_plan(Structure structure) {
+    Plan plan;
+    plan.structure = structure;
+    plan.ert = 0;
+    return plan;
+}
+
+constexpr ViewMode k_modes[] = {ViewMode::iso,  ViewMode::ea,    ViewMode::mip,
+                                ViewMode::lmip, ViewMode::minip, ViewMode::mean};
+
+Volume named(const std::string& name) {
+    for (const test::NamedVolume& v : test::ugly_volumes())
+        if (v.name == name) return v.volume;
+    return {};
+}
+
+void look_from_inside(Scene& scene) {
+    scene.camera.fov_deg = 80;
+    scene.camera.zoom = 8;
+}
+
+/// Every mode on an odd, anisotropic volume: from outside, in perspective, from inside, cut, under ranges, nearest.
+void add_views(std::vector<Case>& cases) {
+    const Volume volume = named("u16_1_1_5");
+    for (const ViewMode mode : k_modes) {
+        const Case plain{"u16_1_1_5_" + std::string(name_of(mode)), test::small_scene(volume, mode),
+                         exact_plan(Structure::none)};
+        cases.push_back(plain);
+        for (const double azimuth : {0.0, 123.0, 250.0}) {  // 0: rays along an axis
+            Case turned = plain;
+            turned.name += "_from_" + std::to_string(int(azimuth));
+            turned.scene.camera.azimuth_deg = azimuth;
+            turned.scene.camera.elevation_deg = azimuth == 0 ? 0 : -40;
+            cases.push_back(turned);
+        }
+        Case far = plain;
+        far.name += "_perspective";
+        far.scene.camera.fov_deg = 60;
+        far.scene.camera.zoom = 2;
+        cases.push_back(far);
+        Case inside = plain;
+        inside.name += "_inside";
+        look_from_inside(inside.scene);
+        cases.push_back(inside);
+        if (mode == ViewMode::iso || mode == ViewMode::ea || mode == ViewMode::mip) {
+            Case one_ray = plain;
+            one_ray.name += "_one_ray";
+            one_ray.lanes = 1;
+            cases.push_back(one_ray);
+        }
+        const glm::dvec3 centre = volume.geometry().centre_mm(), normal(0.3, 1, -0.2);
+        for (const bool cap : {true, false}) {
+            Case cut = plain;
+            cut.name += cap ? "_cut" : "_open";
+            cut.scene.cuts = {{normal, -glm::dot(normal, centre), cap}, {{-1, 0.1, 0}, centre.x + 4, false}};
+            cases.push_back(cut);
+        }
+        Case ranged = plain;
+        ranged.name += "_ranges";
+        const double lo = plain.scene.window.lo, w = plain.scene.window.width();
+        ranged.scene.iso = lo;
+        ranged.scene.classification.ranges = {{"a", {lo + 0.3 * w, lo + 0.45 * w}, {}},
+                                              {"b", {lo + 0.6 * w, lo + 0.9 * w}, {}}};
+        cases.push_back(ranged);
+        ranged.name += "_open";
+        ranged.scene.cuts = {{normal, -glm::dot(normal, centre), false}};
+        cases.push_back(ranged);
+        Case nearest = plain;
+        nearest.name += "_nearest";
+        nearest.plan.sampler = Sampler::nearest;
+        cases.push_back(nearest);
+    }
+}
+
+/// What only an isosurface has: refinement across brick borders, long steps.
+void add_surfaces(std::vector<Case>& cases) {
+    for (const Refinement refine : {Refinement::none, Refinement::bisect, Refinement::regula_falsi, Refinement::newton})
+        for (const double step : {0.5, 3.0}) {
+            Case c{"surface_" + std::string(name_of(refine)) + (step > 1 ? "_long_steps" : ""),
+                   test::small_scene(named("u16_1_1_5"), ViewMode::iso), exact_plan(Structure::none)};
+            c.plan.refine = refine;
+            c.plan.step = step;
+            c.edge = 8;
+            cases.push_back(c);
+        }
+    Case mixed{"surface_terminated", test::small_scene(named("u16_1_1_5"), ViewMode::ea), exact_plan(Structure::none)};
+    mixed.plan.ert = 0.002;
+    cases.push_back(mixed);
+    Case sparse{"surface_sparse", test::small_scene(named("u16_1_1_5"), ViewMode::iso), exact_plan(Structure::none)};
+    sparse.plan.sparse = 3;
+    cases.push_back(sparse);
+}
+
+void add_volumes(std::vector<Case>& cases) {
+    for (const char* name :
+         {"odd_u8", "signed_i8", "i16_oblique", "nan_f32", "flat_u8", "one_voxel", "one_by_one", "one_slice"})
+        for (const ViewMode mode : {ViewMode::iso, ViewMode::ea, ViewMode::mip}) {
+            if (mode == ViewMode::mip && std::string(name) != "nan_f32") continue;
+            cases.push_back({std::string(name) + "_" + std::string(name_of(mode)), test::small_scene(named(name), mode),
+                             exact_plan(Structure::none)});
+        }
+    for (const bool cap : {true, false}) {
+        Case cut{cap ? "nan_f32_cut" : "nan_f32_open", test::small_scene(named("nan_f32"), ViewMode::iso),
+                 exact_plan(Structure::none)};
+        const glm::dvec3 centre = cut.scene.volume.geometry().centre_mm();
+        cut.scene.cuts = {{{0.3, 1, -0.2}, -glm::dot(glm::dvec3(0.3, 1, -0.2), centre), cap}};
+        cases.push_back(cut);
+    }
+}
+
+void add_structures(std::vector<Case>& cases) {
+    const Volume volume = named("u16_1_1_5");
+    for (const Structure structure :
+         {Structure::macrocells, Structure::octree, Structure::pyramid, Structure::pc, Structure::acd, Structure::eacd})
+        for (const ViewMode mode : {ViewMode::iso, ViewMode::ea, ViewMode::lmip}) {
+            const bool other_field = structure == Structure::pc || structure == Structure::eacd;
+            if (other_field && mode == ViewMode::lmip) continue;  // acd stands for all three
+            Case c{std::string(name_of(structure)) + "_" + std::string(name_of(mode)), test::small_scene(volume, mode),
+                   exact_plan(structure), 16};
+            cases.push_back(c);
+            if (mode != ViewMode::iso) continue;
+            c.name += "_open";
+            c.scene.cuts = {{{0, 1, 0}, -volume.geometry().centre_mm().y, false}};
+            cases.push_back(c);
+            if (structure < Structure::pc || structure > Structure::eacd) continue;
+            c.name += "_a_voxel";
+            c.plan.cells = 1;
+            cases.push_back(c);
+        }
+}
+
+std::vector<Case> make_cases() {
+    std::vector<Case> cases;
+    add_views(cases);
+    add_surfaces(cases);
+    add_volumes(cases);
+    add_structures(cases);
+    return cases;
+}
+
+class Bricks : public testing::TestWithParam<Case> {
+protected:
+    void SetUp() override { LACUNA_NEEDS_DEVICE(); }
+};
+
+Plan in_bricks(Plan plan, int edge, std::uint64_t bytes = k_plenty) {
+    plan.brick = edge;
+    plan.brick_bytes = bytes;
+    return plan;
+}
+
+/// Largest difference of depths where both have one; infinity where only one has.
+double depth_difference(const Frame& a, const Frame& b) {
+    double most = 0;
+    for (std::size_t i = 0; i < a.pixels(); ++i) {
+        if (std::isinf(a.depth_mm[i]) && std::isinf(b.depth_mm[i])) continue;
+        most = std::max(most, std::abs(double(a.depth_mm[i]) - double(b.depth_mm[i])));
+    }
+    return most;
+}
+
+TEST_P(Bricks, ChangeNothing) {
+    const Case& c = GetParam();
+    OpenClRenderer& renderer = test::renderer(c.lanes);
+    const Frame whole = renderer.render(c.scene, c.plan, {}, false).frame;
+    const RenderResult bricked = renderer.render(c.scene, in_bricks(c.plan, c.edge), {}, false);
+    ASSERT_TRUE(bricked.bricks.has_value());
+    EXPECT_EQ(bricked.bricks->total, BrickGrid(c.scene.volume.geometry().size, c.edge, {2, 2, 2}).bricks());
+    EXPECT_LE(test::share_over(bricked.frame, whole, 0.01), 0);
+    EXPECT_LE(depth_difference(bricked.frame, whole), 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kernels, Bricks, testing::ValuesIn(make_cases()), [](const auto& row) {
+    std::string name = row.param.name;
+    for (char& ch : name)
+        if (!std::isalnum(static_cast<unsigned char>(ch))) ch = '_';
+    return name;
+});
+
+TEST(BrickStreaming, EmptyBricksAreNeverLoadedAndHiddenOnesNotEither) {
+    LACUNA_NEEDS_DEVICE();
+    const Volume balls = make_sample("spheres", {.size = 128}).volume;
+    Scene scene = test::small_scene(balls, ViewMode::iso, {128, 128});
+    OpenClRenderer renderer(test::device());
+    const RenderResult once = renderer.render(scene, in_bricks(exact_plan(Structure::none), 16), {}, false);
+    EXPECT_EQ(once.bricks->total, 512);
+    EXPECT_GT(once.bricks->empty, 100);
+    EXPECT_EQ(once.bricks->loaded + once.bricks->empty + once.bricks->hidden + once.bricks->uniform, 512);
+    EXPECT_EQ(once.bricks->cast, once.bricks->loaded + once.bricks->uniform);
+    const RenderResult again = renderer.render(scene, in_bricks(exact_plan(Structure::none), 16), {}, false);
+    EXPECT_EQ(again.bricks->loaded, 0);  // all still there
+    EXPECT_EQ(test::share_over(once.frame, again.frame, 0), 0);
+
+    // A cut through the middle, closed: behind the face nothing is seen, and nothing is loaded.
+    scene.mode = ViewMode::ea;
+    scene.iso = 0;
+    scene.classification.tf = {"solid", 1.0, {{-1, {1, 1, 1}, 1}, {1, {1, 1, 1}, 1}}, {}};
+    scene.camera.azimuth_deg = scene.camera.elevation_deg = 0;
+    const RenderResult solid = renderer.render(scene, in_bricks(exact_plan(Structure::none), 15), {}, false);
+    EXPECT_EQ(solid.bricks->empty, 0);
+    EXPECT_GT(solid.bricks->hidden, 100);
+    const Frame whole = test::renderer(16).render(scene, exact_plan(Structure::none), {}, false).frame;
+    EXPECT_EQ(test::share_over(solid.frame, whole, 0.01), 0);
+}
+
+TEST(BrickStreaming, StaysWithinWhatBricksMayTake) {
+    LACUNA_NEEDS_DEVICE();
+    const Volume ball = test::bumpy_ball<std::uint16_t>({70, 66, 61}, {1, 1, 1}, 60000);
+    Scene scene = test::small_scene(ball, ViewMode::ea);
+    scene.classification = {};
+    scene.classification.tf = {"fog", 1.0, {{0, {1, 1, 1}, 0.01}, {60000, {0.2, 0.6, 0.9}, 0.05}}, {}};
+    const Frame whole = test::renderer(16).render(scene, exact_plan(Structure::none), {}, false).frame;
+    OpenClRenderer renderer(test::device());
+    const std::uint64_t brick = 23 * 23 * 23 * 2;
+    for (const Structure structure : {Structure::none, Structure::octree}) {
+        const std::uint64_t bytes = structure == Structure::none ? 3 * brick : 6 * brick;
+        for (int turn = 0; turn < 2; ++turn) {
+            const RenderResult result = renderer.render(scene, in_bricks(exact_plan(structure), 16, bytes), {}, false);
+            EXPECT_LE(result.bricks->bytes_peak, bytes);
+            EXPECT_GT(result.bricks->loaded, 60);  // they push each other out
+            EXPECT_LE(test::share_over(result.frame, whole, 0.5), 0);
+        }
+    }
+}
+
+TEST(BrickStreaming, EditsAreSeen) {
+    LACUNA_NEEDS_DEVICE();
+    const Volume balls = make_sample("spheres", {.size = 64}).volume;
+    Scene scene = test::small_scene(balls, ViewMode::iso);
+    OpenClRenderer renderer(test::device());
+    for (const double iso : {scene.iso, scene.window.hi + 1, scene.iso * 1.2, scene.window.lo}) {
+        scene.iso = iso;
+        for (const Structure structure : {Structure::macrocells, Structure::none}) {
+            const Frame whole = test::renderer(16).render(scene, exact_plan(structure), {}, false).frame;
+            const Frame frame = renderer.render(scene, in_bricks(exact_plan(structure), 16), {}, false).frame;
+            EXPECT_LE(test::share_over(frame, whole, 0.01), 0) << iso;
+        }
+    }
+}
+
+TEST(BrickStreaming, CountsTheSameSamples) {
+    LACUNA_NEEDS_DEVICE();
+    const Volume ball = test::bumpy_ball<std::uint16_t>({40, 37, 33}, {1, 1, 1}, 60000);
+    Scene scene = test::small_scene(ball, ViewMode::mean);
+    const Counters whole = test::renderer(16).render(scene, exact_plan(Structure::none), {}, true).frame.counters;
+    const Counters bricks =
+        test::renderer(16).render(scene, in_bricks(exact_plan(Structure::none), 12), {}, true).frame.counters;
+    EXPECT_EQ(bricks.samples, whole.samples);  // each sample belongs to one brick
+    EXPECT_NEAR(double(bricks.rays), double(whole.rays), 2);
+}
+
+TEST(BrickStreaming, AStoppedPictureLeavesAWorkingRenderer) {
+    LACUNA_NEEDS_DEVICE();
+    const Volume ball = test::bumpy_ball<std::uint16_t>({64, 64, 64}, {1, 1, 1}, 60000);
+    const Scene scene = test::small_scene(ball, ViewMode::iso);
+    const Plan plan = in_bricks(exact_plan(Structure::octree), 16);
+    const Frame truth = test::renderer(16).render(scene, exact_plan(Structure::none), {}, false).frame;
+    OpenClRenderer renderer(test::device());
+    for (const double stop_at : {0.05, 0.5, 0.9}) {
+        std::stop_source source;
+        const JobContext job{source.get_token(), [&](double f) {
+                                 if (f > stop_at) source.request_stop();
+                             }};
+        EXPECT_THROW(renderer.render(scene, plan, job, false), Error);
+    }
+    EXPECT_LE(test::share_over(renderer.render(scene, plan, {}, false).frame, truth, 0.01), 0);
+}
+
+TEST(BrickStreaming, TheEngineCutsWhatDoesNotFit) {
+    LACUNA_NEEDS_DEVICE();
+    const Volume ball = test::bumpy_ball<std::uint16_t>({64, 64, 64}, {1, 1, 1}, 60000);
+    const Scene scene = test::small_scene(ball, ViewMode::iso);
+    MemoryBudget small;
+    small.total = 64 << 20;
+    small.device_allocation = 200000;  // below the volume's 524288 bytes
+    const Plan fitted = with_bricks(exact_plan(Structure::none), scene, small);
+    EXPECT_EQ(fitted.brick, 32);
+    ASSERT_FALSE(fitted.why.empty());
+    EXPECT_NE(fitted.why.back().find("Bricks of 32"), std::string::npos);
+    small.device_allocation = 0;
+    EXPECT_EQ(with_bricks(exact_plan(Structure::none), scene, small).brick, 0);
+    small.device_allocation = 200000;
+    small.total = 1 << 20;
+    EXPECT_THROW(with_bricks(exact_plan(Structure::none), scene, small), Error);
+
+    Engine engine(test::device());
+    Plan asked = exact_plan(Structure::none);
+    asked.brick = 24;  // without saying what they may take
+    const RenderResult result = engine.render(scene, asked);
+    ASSERT_TRUE(result.bricks.has_value());
+    EXPECT_EQ(result.bricks->total, 27);
+}
+
+}  // namespace
+}  // namespace lacuna
