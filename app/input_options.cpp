@@ -16,7 +16,7 @@ std::uint64_t machine_memory_bytes() {
 }  // namespace
 
 void InputOptions::add_to(CLI::App& command, bool required) {
-    command.add_option("INPUT", input, "folder, volume file, or sample:NAME[@SIZE]")->required(required);
+    command.add_option("INPUT", input, "folder, volume file, or sample:NAME[@N|@WxHxD]")->required(required);
     command.add_option("--raw", open.raw, "layout of a raw file: WxHxD:TYPE[:SX,SY,SZ][:be][:+OFFSET]");
     command.add_option("--series", open.series, "which series of a folder: its number or UID");
     command.add_option("--spacing", spacing_text,
@@ -44,6 +44,25 @@ void InputOptions::require_memory(std::uint64_t bytes, const std::string& what) 
     throw Error(Errc::out_of_memory,
                 fmt::format("{} takes {} MB and the limit is {} MB; raise --memory-limit or use a smaller volume.",
                             what, (bytes + k_mb - 1) / k_mb, limit / k_mb));
+}
+
+Volume InputOptions::load_or_leave(std::uint64_t most_bytes, const Console& console) const {
+    std::optional<Volume> parts;
+    if (open.series.empty() || open.series == "1") parts = open_volume_in_parts(input, open);
+    if (!parts) {
+        try {
+            return load(console);
+        } catch (const Error& error) {
+            if (error.code() != Errc::out_of_memory) throw;
+            throw Error(Errc::out_of_memory, std::string(error.what()) +
+                                                 " Volumes in .raw, .mhd and .nrrd that are not packed are read in "
+                                                 "parts; lacuna convert makes them.");
+        }
+    }
+    if (parts->total_bytes() <= most_bytes) return load(console);
+    if (say_warnings)
+        for (const Warning& warning : parts->warnings) console.note_at_end("warning: " + warning.text);
+    return *parts;
 }
 
 Volume InputOptions::load(const Console& console) const {

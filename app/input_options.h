@@ -25,6 +25,9 @@ struct InputOptions {
     std::uint64_t memory_limit_bytes() const;
     /// Opens the input. @throws what open_volume throws; Error(out_of_memory) naming need and limit
     Volume load(const Console& console) const;
+    /// The same, with the voxels left where they are when the input can be read in parts and holds more than
+    /// `most_bytes`. @throws as load()
+    Volume load_or_leave(std::uint64_t most_bytes, const Console& console) const;
     /// @throws Error(out_of_memory) naming both numbers when `bytes` for `what` is over the limit
     void require_memory(std::uint64_t bytes, const std::string& what) const;
 };

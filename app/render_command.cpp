@@ -5,6 +5,7 @@
 #include "app/command.h"
 #include "app/render_options.h"
 #include "app/render_stats.h"
+#include "core/accel/brick_index.h"
 #include "core/base/atomic_file.h"
 #include "core/compute/device_list.h"
 #include "core/io/image_writer.h"
@@ -14,10 +15,21 @@ namespace lacuna::cli {
 
 namespace {
 
-/// Volume, its copy on the device, and the frame as floats.
-std::uint64_t bytes_needed(const Volume& volume, glm::ivec2 size) {
+/// The frame as floats.
+std::uint64_t frame_bytes(glm::ivec2 size) {
     constexpr std::uint64_t k_bytes_per_pixel = sizeof(glm::vec4) + sizeof(float);
-    return 2 * std::uint64_t(volume.bytes()) + std::uint64_t(size.x) * std::uint64_t(size.y) * k_bytes_per_pixel;
+    return std::uint64_t(size.x) * std::uint64_t(size.y) * k_bytes_per_pixel;
+}
+
+/// Volume, its copy on the device, and the frame.
+std::uint64_t bytes_needed(const Volume& volume, glm::ivec2 size) {
+    return 2 * std::uint64_t(volume.bytes()) + frame_bytes(size);
+}
+
+/// The largest volume drawn in one piece: what has more is left on disk if it can be.
+std::uint64_t most_at_once(std::uint64_t limit, glm::ivec2 size) {
+    const std::uint64_t frame = frame_bytes(size);
+    return limit > frame ? (limit - frame) / 2 : 0;
 }
 
 void merge_build(std::map<std::string, BuildRecord>& all, const std::map<std::string, BuildRecord>& frame) {
@@ -34,6 +46,7 @@ Frame render_frame(Engine& engine, const Scene& scene, const Plan& plan, bool me
     RenderResult result = engine.render(scene, plan, job.part(0, measure ? 0.4 : 1));
     merge_build(record.build, result.build);
     FrameRecord frame{scene.camera.azimuth_deg, result.frame.ms, {}};
+    if (result.bricks) record.bricks = result.bricks;
     if (measure) {
         result = engine.render(scene, plan, job.part(0.4, 0.7));
         frame.ms = result.frame.ms;
@@ -77,14 +90,28 @@ int run_render(RenderOptions& options, Console& console) {
     for (int i = 0; i < options.turntable(); ++i) check_target(options.frame_path(i));
     if (!options.stats.empty()) check_target(options.stats);
 
-    const Volume volume = options.input.load(console);
-    Scene scene = options.scene(volume, compute_statistics(volume, console.job("Measuring")));
-    options.input.require_memory(bytes_needed(volume, scene.size), "Rendering this volume");
-    const Plan plan = options.plan(scene);
-    check(scene);
-    check(plan, scene);
+    const Volume volume =
+        options.input.load_or_leave(most_at_once(options.input.memory_limit_bytes(), options.picture_size()), console);
+    if (options.verify && !volume.in_memory())
+        throw Error(Errc::unsupported,
+                    "--verify needs the whole volume in memory; raise --memory-limit or leave it out.");
+    std::shared_ptr<const BrickIndex> index;
+    VolumeStatistics statistics;
+    if (volume.in_memory()) {
+        statistics = compute_statistics(volume, console.job("Measuring"));
+    } else {
+        index = std::make_shared<const BrickIndex>(build_brick_index(volume, console.job("Measuring")));
+        statistics = index->statistics;
+    }
+    Scene scene = options.scene(volume, statistics);
+    if (volume.in_memory()) options.input.require_memory(bytes_needed(volume, scene.size), "Rendering this volume");
 
     Engine engine(open_device(options.device, console.job("Testing devices")));
+    engine.set_memory_limit(options.input.memory_limit_bytes());
+    engine.adopt(index);
+    check(scene);
+    check(options.plan(scene), scene);
+    const Plan plan = engine.fitted(options.plan(scene), scene);
     RenderRecord record;
     record.device = engine.device_name();
     const double azimuth = scene.camera.azimuth_deg;

@@ -59,6 +59,7 @@ void RenderOptions::add_to(CLI::App& command) {
     word("--structure", words_.structure,
          "auto (default), none, macrocells, octree, pyramid, pc, acd, eacd or visible (shear-warp)");
     word("--cells", words_.cells, "voxels a macro-cell edge of pc, acd, eacd: 4, 8 (default), 16; 1: an entry a voxel");
+    word("--brick", words_.brick, "voxels a brick edge, 8 to 1024 (default: bricks only of what does not fit whole)");
     word("--homogeneity", words_.homogeneity, "T[,A]: opacities (octree: values) and angles that count as equal");
     word("--sparse", words_.sparse,
          "K[,G]: cast every K-th pixel, all where colours differ by more than G (0..1, default 0.02)");
@@ -148,6 +149,7 @@ void RenderOptions::parse_plan() {
         cells_ = int(parse_integer("--cells", *words_.cells, 1, 16));
         if (*cells_ & (*cells_ - 1) || *cells_ == 2) refuse("--cells", *words_.cells, "1, 4, 8 or 16");
     }
+    if (words_.brick) brick_ = int(parse_integer("--brick", *words_.brick, 8, 1024));
     if (words_.homogeneity) {
         const std::string& text = *words_.homogeneity;
         const std::vector<double> v = parse_numbers("--homogeneity", text, text.find(',') == std::string::npos ? 1 : 2);
@@ -255,6 +257,7 @@ Plan RenderOptions::plan(const Scene& scene) const {
     take(plan.refine_steps, refine_steps_, "--refine-steps");
     take(plan.ert, ert_, "--ert");
     take(plan.cells, cells_, "--cells");
+    take(plan.brick, brick_, "--brick");
     take(plan.sparse, sparse_, "--sparse");
     if (sparse_gradient_) plan.sparse_gradient = *sparse_gradient_;
     take(plan.directions, directions_, "--directions");

@@ -25,6 +25,7 @@ public:
     void parse();
 
     int turntable() const { return turntable_; }
+    glm::ivec2 picture_size() const { return size_; }
     /// What the words ask to see of a volume. @pre parse() was called
     Scene scene(const Volume& volume, const VolumeStatistics& statistics) const;
     /// How: the default plan with what was asked for. @pre parse() was called
@@ -46,8 +47,8 @@ private:
     };
     struct Words {
         std::optional<std::string> mode, iso, tf, window, shading, lmip_threshold, size, azimuth, elevation, roll, zoom,
-            center, perspective, step, sampler, gradient, refine, refine_steps, structure, cells, homogeneity, sparse,
-            ert, turntable, directions, voxel_gradient;
+            center, perspective, step, sampler, gradient, refine, refine_steps, structure, cells, brick, homogeneity,
+            sparse, ert, turntable, directions, voxel_gradient;
         std::vector<std::string> ranges, cuts, effects;
     };
 
@@ -62,7 +63,7 @@ private:
     Words words_;
     ViewMode mode_ = ViewMode::ea;
     std::optional<double> iso_, lmip_threshold_, step_, ert_, homogeneity_, homogeneity_angle_;
-    std::optional<int> cells_, sparse_;
+    std::optional<int> cells_, sparse_, brick_;
     std::optional<double> sparse_gradient_;
     std::optional<int> directions_;
     std::optional<VoxelGradient> voxel_gradient_;

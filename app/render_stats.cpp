@@ -18,7 +18,7 @@ ordered_json input_json(const Volume& volume) {
     return {{"dims", {g.size.x, g.size.y, g.size.z}},
             {"spacing", vector_json(g.spacing)},
             {"type", std::string(name_of(volume.type()))},
-            {"bytes", volume.bytes()},
+            {"bytes", volume.total_bytes()},
             {"unit", volume.unit}};
 }
 
@@ -63,7 +63,13 @@ ordered_json plan_json(const Scene& scene, const Plan& plan) {
             {"voxel_gradient", std::string(name_of(plan.voxel_gradient))},
             {"homogeneity", plan.homogeneity},
             {"homogeneity_angle", plan.homogeneity_angle_deg},
+            {"brick", plan.brick > 0 ? ordered_json(plan.brick) : ordered_json(nullptr)},
             {"why", plan.why}};
+}
+
+ordered_json bricks_json(const BrickCounts& b) {
+    return {{"total", b.total},   {"empty", b.empty},           {"hidden", b.hidden},        {"uniform", b.uniform},
+            {"loaded", b.loaded}, {"bytes_read", b.bytes_read}, {"bytes_peak", b.bytes_peak}};
 }
 
 ordered_json times_json(const std::vector<FrameRecord>& frames) {
@@ -95,6 +101,7 @@ std::string stats_json(const Scene& scene, const Plan& plan, const RenderRecord&
                       {"build", build},
                       {"frames", frames},
                       {"ms", times_json(record.frames)}};
+    if (record.bricks) json["bricks"] = bricks_json(*record.bricks);
     json["error"] = nullptr;
     if (record.error)  // what is infinite (PSNR of equal pictures) becomes null
         json["error"] = {

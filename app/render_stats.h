@@ -22,7 +22,8 @@ struct RenderRecord {
     std::string device;
     std::map<std::string, BuildRecord> build;
     std::vector<FrameRecord> frames;
-    std::optional<ImageError> error;  ///< the worst frame's, when verified
+    std::optional<BrickCounts> bricks;  ///< of the last frame, where the plan has bricks
+    std::optional<ImageError> error;    ///< the worst frame's, when verified
 };
 
 /// The contract's statistics as JSON.

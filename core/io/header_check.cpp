@@ -148,12 +148,17 @@ HeaderFacts check_meta_image(const fs::path& file) {
     if (data.empty() && !local) return {};  // a list or a pattern: the library reports what is missing
     std::uint64_t have = local ? fs::file_size(file) - header.end : size_or_refuse(file, data, named);
     const std::int64_t skip = number_in<std::int64_t>(field(f, "HeaderSize")).value_or(0);
-    if (skip < 0) return {};  // -1: the voxels are the file's last bytes
+    const bool binary = field(f, "BinaryData").empty() || says_true(field(f, "BinaryData"));
+    HeaderFacts facts;
+    if (binary && !compressed) {
+        const bool big = says_true(field(f, "BinaryDataByteOrderMSB")) || says_true(field(f, "ElementByteOrderMSB"));
+        const std::uint64_t before = skip < 0 ? have - std::min(have, need) : std::uint64_t(skip);
+        facts.plain = {local ? file : data, (local ? header.end : 0) + before, big};
+    }
+    if (skip < 0) return facts;  // -1: the voxels are the file's last bytes
     if (std::uint64_t(skip) > have)
         refuse(file, "its HeaderSize " + std::to_string(skip) + " is longer than the data file");
-    if (field(f, "BinaryData").empty() || says_true(field(f, "BinaryData")))
-        check_length(file, have - std::uint64_t(skip), need, compressed);
-    HeaderFacts facts;
+    if (binary) check_length(file, have - std::uint64_t(skip), need, compressed);
     if (compressed) facts.compressed = {local ? file : data, (local ? header.end : 0) + std::uint64_t(skip), need};
     return facts;
 }
@@ -224,8 +229,12 @@ HeaderFacts check_nrrd(const fs::path& file) {
     };
     const std::int64_t skip = skips("byte skip", "byteskip");
     if (skips("line skip", "lineskip") != 0 || skip < 0) return {};
-    if (encoding == "raw") check_length(file, have - std::min(have, std::uint64_t(skip)), need, false);
     HeaderFacts facts;
+    if (encoding == "raw") {
+        check_length(file, have - std::min(have, std::uint64_t(skip)), need, false);
+        facts.plain = {detached ? file.parent_path() / named : file, (detached ? 0 : header.end) + std::uint64_t(skip),
+                       lower_case(field(f, "endian")) == "big"};
+    }
     if (encoding == "gzip" || encoding == "gz") {
         check_length(file, have, need, true);
         facts.compressed = {detached ? file.parent_path() / named : file, detached ? 0 : header.end,

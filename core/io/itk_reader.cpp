@@ -65,6 +65,7 @@ struct OpenedImage {
     GridGeometry geometry;
     bool integers_rescaled = false;
     std::optional<CompressedData> compressed;
+    std::optional<PlainData> plain;
 };
 
 GridGeometry geometry_of(const fs::path& file, const itk::ImageIOBase& io) {
@@ -95,6 +96,7 @@ OpenedImage open_image(const fs::path& file, ItkFormat format) {
     if (format == ItkFormat::nrrd) facts = check_nrrd(file);
     if (format == ItkFormat::nifti) facts = check_nifti(file);
     image.compressed = facts.compressed;
+    image.plain = facts.plain;
     image.io = make_io(format);
     guarded(file, [&] {
         image.io->SetFileName(file.string());
@@ -175,6 +177,20 @@ ConvertedVoxels read_voxels(const fs::path& file, OpenedImage& image, const JobC
 }  // namespace
 
 glm::ivec3 itk_volume_size(const fs::path& file, ItkFormat format) { return open_image(file, format).geometry.size; }
+
+std::optional<Volume> open_itk_volume(const fs::path& file, ItkFormat format) {
+    OpenedImage image = open_image(file, format);
+    const auto type = own_type(image.io->GetComponentType());
+    if (!image.plain || !type) return std::nullopt;
+    std::vector<Warning> warnings;
+    repair_grid(file.string(), image.geometry, warnings);
+    RawLayout layout{image.plain->file,   image.geometry, *type, image.plain->big_endian,
+                     image.plain->offset, true,           false};
+    Volume volume = open_raw(layout);
+    volume.name = file.filename().string();
+    volume.warnings = std::move(warnings);
+    return volume;
+}
 
 Volume read_itk_volume(const fs::path& file, ItkFormat format, const JobContext& job) {
     OpenedImage image = open_image(file, format);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "core/base/job.h"
 #include "core/volume/volume.h"
@@ -16,5 +17,9 @@ glm::ivec3 itk_volume_size(const std::filesystem::path& file, ItkFormat format);
 /// become the smallest type that holds every value exactly (f32 with a warning beyond 2^24), double becomes f32.
 /// @throws Error(bad_input) naming file and fault; Error(unsupported) for vectors, colours and time series
 Volume read_itk_volume(const std::filesystem::path& file, ItkFormat format, const JobContext& job = {});
+
+/// The volume with its voxels left in the file (open_raw), or nothing where they cannot be read in parts: packed, in
+/// several files, of a type that would be converted, NIfTI. Errors as read_itk_volume.
+std::optional<Volume> open_itk_volume(const std::filesystem::path& file, ItkFormat format);
 
 }  // namespace lacuna

@@ -166,7 +166,10 @@ std::uint64_t checked_bytes(const std::string& what, std::int64_t x, std::int64_
     return total;
 }
 
-Volume read_raw(const RawLayout& layout, const JobContext& job) {
+namespace {
+
+/// Bytes of the voxels. @throws Error(bad_input) where the file has more or fewer
+std::uint64_t checked_file(const RawLayout& layout) {
     const std::string name = layout.file.string();
     const glm::ivec3 n = layout.geometry.size;
     const std::size_t word = size_of(layout.type);
@@ -181,6 +184,56 @@ Volume read_raw(const RawLayout& layout, const JobContext& job) {
                                          std::string(name_of(layout.type)) +
                                          (layout.offset ? " behind the offset" : "") + " need " + std::to_string(need) +
                                          " bytes; check the size, the type and the offset.");
+    return bytes;
+}
+
+bool must_swap(const RawLayout& layout) { return layout.big_endian == (std::endian::native == std::endian::little); }
+
+Volume described(Volume volume, const RawLayout& layout) {
+    volume.name = layout.file.filename().string();
+    if (!layout.spacing_known)
+        volume.warnings.push_back({"The voxel spacing is not stated; 1 x 1 x 1 mm is assumed.", 0});
+    return volume;
+}
+
+class RawFileSource final : public VoxelSource {
+public:
+    explicit RawFileSource(const RawLayout& layout) : layout_(layout), file_(layout.file) {}
+
+    void read(const VoxelBox& box, std::byte* out, const JobContext& job) const override {
+        const std::size_t word = size_of(layout_.type), row = std::size_t(box.size.x) * word;
+        const std::size_t slice = row * std::size_t(box.size.y);
+        const bool whole_rows = box.size.x == layout_.geometry.size.x;  // then a slice's rows lie together
+        parallel_for(
+            0, box.size.z,
+            [&](std::int64_t z) {
+                std::byte* const to = out + std::size_t(z) * slice;
+                for (int y = 0; y < (whole_rows ? 1 : box.size.y); ++y) {
+                    const std::int64_t at =
+                        layout_.geometry.linear_index(box.first.x, box.first.y + y, box.first.z + int(z));
+                    file_.read_at(layout_.offset + std::uint64_t(at) * word, to + std::size_t(y) * row,
+                                  whole_rows ? slice : row);
+                }
+                if (must_swap(layout_)) swap_bytes(to, slice, word);
+            },
+            job);
+    }
+
+private:
+    RawLayout layout_;
+    ReadFile file_;
+};
+
+}  // namespace
+
+Volume open_raw(const RawLayout& layout) {
+    checked_file(layout);
+    return described(Volume(layout.geometry, layout.type, std::make_shared<const RawFileSource>(layout)), layout);
+}
+
+Volume read_raw(const RawLayout& layout, const JobContext& job) {
+    const std::uint64_t bytes = checked_file(layout);
+    const std::size_t word = size_of(layout.type);
     VoxelBuffer voxels{std::size_t(bytes)};
     const ReadFile file(layout.file);
     constexpr std::uint64_t k_chunk = std::uint64_t(8) << 20;  // a multiple of every word size
@@ -190,15 +243,10 @@ Volume read_raw(const RawLayout& layout, const JobContext& job) {
             const std::uint64_t from = std::uint64_t(c) * k_chunk;
             const std::size_t size = std::size_t(std::min(k_chunk, bytes - from));
             file.read_at(layout.offset + from, voxels.data() + from, size);
-            if (layout.big_endian == (std::endian::native == std::endian::little))
-                swap_bytes(voxels.data() + from, size, word);
+            if (must_swap(layout)) swap_bytes(voxels.data() + from, size, word);
         },
         job);
-    Volume volume(layout.geometry, layout.type, std::move(voxels));
-    volume.name = layout.file.filename().string();
-    if (!layout.spacing_known)
-        volume.warnings.push_back({"The voxel spacing is not stated; 1 x 1 x 1 mm is assumed.", 0});
-    return volume;
+    return described(Volume(layout.geometry, layout.type, std::move(voxels)), layout);
 }
 
 }  // namespace lacuna

@@ -43,4 +43,8 @@ std::uint64_t checked_bytes(const std::string& what, std::int64_t x, std::int64_
 /// @throws Error(bad_input) with both byte counts if the file's size does not match; Error(io); Error(cancelled)
 Volume read_raw(const RawLayout& layout, const JobContext& job = {});
 
+/// The same volume with its voxels left in the file, where boxes are read from as they are asked for. The file stays
+/// open as long as the volume lives. @throws as read_raw
+Volume open_raw(const RawLayout& layout);
+
 }  // namespace lacuna

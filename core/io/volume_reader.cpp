@@ -27,16 +27,20 @@ constexpr std::string_view k_sample = "sample:";
 
 bool is_sample(const std::string& input) { return input.starts_with(k_sample); }
 
-/// NAME[@SIZE] behind `sample:`.
+/// NAME[@SIZE] behind `sample:`, SIZE one number for all axes or WxHxD.
 std::pair<std::string, SampleOptions> sample_call(const std::string& input) {
     std::string name = input.substr(k_sample.size());
     SampleOptions options;
     if (const auto at = name.find('@'); at != std::string::npos) {
-        const auto size = number_in<int>(name.substr(at + 1));
-        if (!size || *size < 1)
+        const std::string size = name.substr(at + 1);
+        const auto dims = numbers_in<int>(size, "x");
+        const bool sound = dims && (dims->size() == 1 || dims->size() == 3) &&
+                           std::count(size.begin(), size.end(), 'x') == std::ptrdiff_t(dims->size()) - 1 &&
+                           *std::min_element(dims->begin(), dims->end()) >= 1;
+        if (!sound)
             throw Error(Errc::bad_usage, "The size in '" + input + "' is not a number of voxels; write for example " +
-                                             "sample:casting@192.");
-        options.size = *size;
+                                             "sample:casting@192 or sample:casting@256x256x128.");
+        options.dims = dims->size() == 1 ? glm::ivec3(dims->front()) : glm::ivec3((*dims)[0], (*dims)[1], (*dims)[2]);
         name.resize(at);
     }
     return {name, options};
@@ -254,7 +258,8 @@ Volume with_spacing(const Volume& volume, const glm::dvec3& spacing_mm, const st
     geometry.spacing = spacing_mm;
     std::vector<Warning> warnings;
     repair_grid(what, geometry, warnings);
-    Volume out(geometry, volume.type(), volume.buffer());
+    Volume out = volume.source() ? Volume(geometry, volume.type(), volume.source())
+                                 : Volume(geometry, volume.type(), volume.buffer());
     out.name = volume.name;
     out.unit = volume.unit;
     out.dicom = volume.dicom;
@@ -289,7 +294,7 @@ std::string format_series(const std::vector<SeriesEntry>& entries) {
 std::vector<SeriesEntry> list_series(const std::string& input, const JobContext& job) {
     if (is_sample(input)) {
         const auto [name, options] = sample_call(input);
-        return {file_entry(fs::path(input), glm::ivec3(options.size), {})};
+        return {file_entry(fs::path(input), options.dims, {})};
     }
     const fs::path path = existing(input);
     if (fs::is_directory(path)) {
@@ -305,12 +310,42 @@ std::vector<SeriesEntry> list_series(const std::string& input, const JobContext&
     return find_dicom_series(path, job);
 }
 
+namespace {
+
+void check_sample_options(const std::string& input, const OpenOptions& options) {
+    if (!options.raw.empty() || options.spacing_mm || (!options.series.empty() && options.series != "1"))
+        throw Error(Errc::bad_usage, "A built-in sample such as " + input +
+                                         " is made with its own grid; leave out --raw, --spacing and --series.");
+}
+
+std::optional<Volume> open_plain_in_parts(const fs::path& path, FileKind kind, const OpenOptions& options) {
+    if (kind == FileKind::meta_image || kind == FileKind::nrrd) return open_itk_volume(path, itk_format(kind));
+    if (kind != FileKind::raw && kind != FileKind::dat && kind != FileKind::vgi) return std::nullopt;
+    const RawSource source = raw_source(path, kind, options);
+    return source.layout ? open_raw(*source.layout) : open_itk_volume(source.meta_image, ItkFormat::meta_image);
+}
+
+}  // namespace
+
+std::optional<Volume> open_volume_in_parts(const std::string& input, const OpenOptions& options) {
+    if (is_sample(input)) {
+        const auto [name, sample] = sample_call(input);
+        check_sample_options(input, options);
+        return sample_in_parts(name, sample);
+    }
+    const fs::path path = existing(input);
+    if (fs::is_directory(path)) return std::nullopt;
+    std::optional<Volume> volume = open_plain_in_parts(path, kind_of(path, options), options);
+    if (!volume) return volume;
+    if (options.spacing_mm) volume = with_spacing(*volume, *options.spacing_mm, input);
+    volume->name = file_entry(path, {}, {}).description;
+    return volume;
+}
+
 Volume open_volume(const std::string& input, const OpenOptions& options, const JobContext& job) {
     if (is_sample(input)) {
         const auto [name, sample] = sample_call(input);
-        if (!options.raw.empty() || options.spacing_mm || (!options.series.empty() && options.series != "1"))
-            throw Error(Errc::bad_usage, "A built-in sample such as " + input +
-                                             " is made with its own grid; leave out --raw, --spacing and --series.");
+        check_sample_options(input, options);
         Volume volume = make_sample(name, sample, job).volume;
         if (volume.name.empty()) volume.name = input;
         return volume;

@@ -48,9 +48,14 @@ std::vector<SeriesEntry> list_series(const std::string& input, const JobContext&
 std::string format_series(const std::vector<SeriesEntry>& entries);
 
 /// Opens any INPUT of the contract: DICOM folder or file, mhd mha nrrd nhdr nii nii.gz, TIFF stack or multi-page,
-/// raw with `raw` or a sidecar or its own name, `sample:NAME[@SIZE]`.
+/// raw with `raw` or a sidecar or its own name, `sample:NAME[@SIZE]` with SIZE one number of voxels or WxHxD.
 /// @throws Error(bad_input) and Error(unsupported) naming file, fault and what to do; AmbiguousInput; Error(cancelled)
 Volume open_volume(const std::string& input, const OpenOptions& options = {}, const JobContext& job = {});
+
+/// The same volume without its voxels, which are read box by box as they are asked for (VoxelSource): raw volumes,
+/// .mhd .mha .nrrd .nhdr whose voxels are not packed, and built-in samples, painted as they are read. Nothing for all
+/// other inputs. Cost: the header's. Whether voxels are NaN is not looked at. @throws as open_volume
+std::optional<Volume> open_volume_in_parts(const std::string& input, const OpenOptions& options = {});
 
 /// SHA-256 of the voxels, little-endian in the stored type, x fastest, as hex.
 std::string voxel_sha256(const Volume& volume, const JobContext& job = {});

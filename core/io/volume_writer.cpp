@@ -26,7 +26,7 @@ std::span<const std::byte> bytes_of(const Volume& volume) { return {volume.data(
 std::string row_of(const glm::dvec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
 
 /// NRRD 4 with gzip data behind the header (teem's format definition); `space` is LPS, our own axes.
-std::string nrrd_header(const GridGeometry& g, std::string_view type) {
+std::string nrrd_header(const GridGeometry& g, std::string_view type, std::string_view encoding) {
     std::string directions;
     for (int a = 0; a < 3; ++a) {
         const glm::dvec3 step = g.direction[a] * g.spacing[a];
@@ -35,8 +35,8 @@ std::string nrrd_header(const GridGeometry& g, std::string_view type) {
     return fmt::format(
         "NRRD0004\n# Complete NRRD file format specification at:\n# http://teem.sourceforge.net/nrrd/format.html\n"
         "type: {}\ndimension: 3\nspace: left-posterior-superior\nsizes: {} {} {}\nspace directions: {}\n"
-        "kinds: domain domain domain\nendian: little\nencoding: gzip\nspace origin: ({},{},{})\n\n",
-        type, g.size.x, g.size.y, g.size.z, directions, g.origin.x, g.origin.y, g.origin.z);
+        "kinds: domain domain domain\nendian: little\nencoding: {}\nspace origin: ({},{},{})\n\n",
+        type, g.size.x, g.size.y, g.size.z, directions, encoding, g.origin.x, g.origin.y, g.origin.z);
 }
 
 std::string_view nrrd_type(VoxelType type) {
@@ -58,8 +58,39 @@ std::string_view nrrd_type(VoxelType type) {
 void write_nrrd(const GridGeometry& geometry, std::string_view type, std::span<const std::byte> voxels,
                 const fs::path& target, const JobContext& job) {
     OutputFile file(target);
-    file.write(nrrd_header(geometry, type));
+    file.write(nrrd_header(geometry, type, "gzip"));
     write_gzip(file, {}, voxels, job);
+    file.commit();
+}
+
+/// All voxels as they are, of a volume in memory or not: the latter slab by slab.
+void write_voxels(OutputFile& file, const Volume& volume, const JobContext& job) {
+    if (volume.in_memory()) return write_plain(file, bytes_of(volume), job);
+    constexpr std::uint64_t k_slab_bytes = std::uint64_t(64) << 20;
+    constexpr int k_granule = 8;  // samples are painted in blocks of as many voxels
+    const glm::ivec3 size = volume.geometry().size;
+    const std::uint64_t row = std::uint64_t(size.x) * size_of(volume.type()), slice = row * std::uint64_t(size.y);
+    // Whole slices, several at a time; of a slice too large for that, whole rows.
+    const int slices = int(std::clamp<std::uint64_t>(k_slab_bytes / slice / k_granule * k_granule, 1, 1 << 16));
+    const int rows = slices > 1 ? size.y : int(std::clamp<std::uint64_t>(k_slab_bytes / row, 1, std::uint64_t(size.y)));
+    std::vector<std::byte> slab;
+    for (int z = 0; z < size.z; z += slices)
+        for (int y = 0; y < size.y; y += rows) {
+            const VoxelBox box{{0, y, z}, {size.x, std::min(rows, size.y - y), std::min(slices, size.z - z)}};
+            slab.resize(std::size_t(box.voxels()) * size_of(volume.type()));
+            read_box(volume, box, slab.data(), {job.stop, nullptr});
+            file.write(slab);
+            job.checkpoint(std::size_t(z) * std::size_t(size.y) + std::size_t((y + box.size.y) * box.size.z),
+                           std::size_t(size.z) * std::size_t(size.y));
+        }
+    job.check();
+}
+
+/// NRRD of a volume that does not lie in memory: not packed, so that it can be opened in parts again.
+void write_nrrd_in_parts(const Volume& volume, const fs::path& target, const JobContext& job) {
+    OutputFile file(target);
+    file.write(nrrd_header(volume.geometry(), nrrd_type(volume.type()), "raw"));
+    write_voxels(file, volume, job);
     file.commit();
 }
 
@@ -123,7 +154,7 @@ std::string dat_header(const Volume& volume, const std::string& data_file) {
 void write_pair(const Volume& volume, const fs::path& data, const fs::path& header, const std::string& header_text,
                 const JobContext& job) {
     OutputFile voxels(data), text(header);
-    write_plain(voxels, bytes_of(volume), job);
+    write_voxels(voxels, volume, job);
     text.write(header_text);
     voxels.commit();
     text.commit();
@@ -171,6 +202,14 @@ void write_labels_as(const LabelVolume& labels, std::string_view type, const fs:
 void write_volume(const Volume& volume, const fs::path& target, const JobContext& job) {
     if (volume.empty()) throw Error(Errc::bad_input, "Cannot write " + target.string() + ": there is no volume.");
     const std::string name = lower_case(target.filename().string());
+    if (!volume.in_memory()) {
+        if (name.ends_with(".nrrd")) return write_nrrd_in_parts(volume, target, job);
+        if (name.ends_with(".mhd")) return write_meta(volume, target, job);
+        if (name.ends_with(".raw")) return write_raw(volume, target, job);
+        throw Error(Errc::unsupported, "Cannot write " + target.string() +
+                                           ": this volume does not go into memory, and only .raw, .mhd and .nrrd are "
+                                           "written in parts; choose one of them or raise --memory-limit.");
+    }
     if (means_folder(target)) return write_dicom_series(volume, target, job);
     if (name.ends_with(".nrrd"))
         return write_nrrd(volume.geometry(), nrrd_type(volume.type()), bytes_of(volume), target, job);

@@ -10,7 +10,8 @@ namespace lacuna {
 
 /// Writes a volume in the format its name asks for: .nrrd (gzip), .mhd (+ .raw), .nii.gz/.nii (LPS turned to RAS),
 /// .raw (+ .dat sidecar), or a folder name ending in "/" or naming an existing or extension-less folder: a DICOM CT
-/// series. All or nothing: files are written beside their targets and renamed.
+/// series. A volume that does not lie in memory is written slab by slab: .raw, .mhd, and .nrrd (not packed then).
+/// All or nothing: files are written beside their targets and renamed.
 /// @throws Error(bad_usage) for an unknown ending, listing the known; Error(unsupported) where the format cannot hold
 /// the type; Error(io), Error(cancelled)
 void write_volume(const Volume& volume, const std::filesystem::path& target, const JobContext& job = {});

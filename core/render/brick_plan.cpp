@@ -20,8 +20,7 @@ constexpr std::uint64_t k_mb = std::uint64_t(1) << 20;
 /// Of a pixel: colour and depth on device and host, carried state, an 8-bit picture, and the same once more while
 /// effects work.
 constexpr std::uint64_t k_pixel_bytes = 2 * (2 * 20 + 3) + 40;
-/// Pieces read while the index is made (volume_pieces.h), and what the index takes of a voxel.
-constexpr std::uint64_t k_reading_bytes = 40 * k_mb;
+/// What the index takes of a voxel. The pieces read while it is made are gone before the first brick comes.
 constexpr double k_index_bytes = 10.0 / 4096;
 
 /// Bytes of a structure, and of what it is built from, for a voxel.
@@ -54,7 +53,7 @@ bool one_buffer(const Scene& scene, const Plan& plan, int edge, const MemoryBudg
 std::uint64_t fixed_bytes(const Scene& scene, const MemoryBudget& budget) {
     const std::uint64_t program = std::min(k_program_bytes, budget.total / 2);
     const std::uint64_t picture = std::uint64_t(scene.size.x) * std::uint64_t(scene.size.y) * k_pixel_bytes;
-    const std::uint64_t held = scene.volume.in_memory() ? scene.volume.total_bytes() : k_reading_bytes;
+    const std::uint64_t held = scene.volume.in_memory() ? scene.volume.total_bytes() : 0;
     return program + picture + held + std::uint64_t(double(scene.volume.geometry().voxel_count()) * k_index_bytes);
 }
 
@@ -112,8 +111,7 @@ Plan with_bricks(const Plan& plan, const Scene& scene, const MemoryBudget& budge
                                              " and the limit is " + mb(budget.total) +
                                              "; raise --memory-limit or make a smaller picture.");
     out.brick_bytes = left;
-    out.why.push_back(asked ? "Bricks of " + std::to_string(out.brick) + " voxels, as asked."
-                            : reason(scene, out.brick, budget));
+    if (!asked) out.why.push_back(reason(scene, out.brick, budget));
     return out;
 }
 

@@ -16,7 +16,7 @@ struct MemoryBudget {
 
 /// What a program takes before the first voxel: its libraries, the driver, the driver's compiler. It lies inside the
 /// limit of `MemoryBudget::total` where that is at least twice as much, else beside it.
-inline constexpr std::uint64_t k_program_bytes = std::uint64_t(256) << 20;
+inline constexpr std::uint64_t k_program_bytes = std::uint64_t(384) << 20;
 
 /// 75 % of the machine's memory.
 std::uint64_t default_memory_limit();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 
 #include "core/base/stopwatch.h"
@@ -255,23 +256,31 @@ void OpenClRenderer::begin_carrying() {
                                        pixels * sizeof(float));
 }
 
-/// Whether no ray that meets the brick goes on that far: then it need not be loaded.
+/// Whether no ray that meets the brick goes on that far: then it need not be loaded. Asks what is carried of each ray.
 bool OpenClRenderer::is_hidden(const BrickView& view, std::int64_t brick, const PixelRect& rect, const Cast& cast) {
-    if (cast.scene.mode != ViewMode::iso && cast.scene.mode != ViewMode::ea) return false;
-    const glm::ivec2 size = rect.size();
-    std::vector<glm::vec4> color(std::size_t(size.x) * std::size_t(size.y));
-    const std::array<std::size_t, 3> from{std::size_t(rect.first.x) * sizeof(glm::vec4), std::size_t(rect.first.y), 0};
-    const std::array<std::size_t, 3> region{std::size_t(size.x) * sizeof(glm::vec4), std::size_t(size.y), 1};
-    device_->queue().enqueueReadBufferRect(output_->color, CL_TRUE, from, {0, 0, 0}, region,
-                                           std::size_t(output_->padded.x) * sizeof(glm::vec4), 0, region[0], 0,
-                                           color.data());
-    // A little more than the kernel asks for, because 1 - (1 - t) is not quite t.
-    const double left = cast.scene.mode == ViewMode::ea ? 0.999 * cast.plan.ert - 1e-6 : 0;
+    const bool iso = cast.scene.mode == ViewMode::iso;
+    if (!iso && cast.scene.mode != ViewMode::ea) return false;
+    const int edge = lanes_ == 16 ? 4 : 1;  // of a packet
+    const std::size_t packet = std::size_t(LACUNA_CARRY_PLANES) * std::size_t(lanes_);
+    const glm::ivec2 first = rect.first / edge, count = (rect.end + (edge - 1)) / edge - first;
+    std::vector<float> carried(std::size_t(count.x) * std::size_t(count.y) * packet);
+    const std::array<std::size_t, 3> from{std::size_t(first.x) * packet * sizeof(float), std::size_t(first.y), 0};
+    const std::array<std::size_t, 3> region{std::size_t(count.x) * packet * sizeof(float), std::size_t(count.y), 1};
+    device_->queue().enqueueReadBufferRect(carry_, CL_TRUE, from, {0, 0, 0}, region,
+                                           std::size_t(output_->padded.x / edge) * packet * sizeof(float), 0, region[0],
+                                           0, carried.data());
+    const float least = float(cast.plan.ert);
     const glm::ivec3 at = bricks_->grid().at(brick);
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) {
-            const double through = 1.0 - double(color[std::size_t(y) * std::size_t(size.x) + std::size_t(x)].a);
-            if (through > std::max(left, 0.0) && view.meets(at, rect.first.x + x, rect.first.y + y, 0.5)) return false;
+    for (int y = rect.first.y; y < rect.end.y; ++y)
+        for (int x = rect.first.x; x < rect.end.x; ++x) {
+            const glm::ivec2 place = glm::ivec2(x, y) / edge - first;
+            const float* slot = &carried[(std::size_t(place.y) * std::size_t(count.x) + std::size_t(place.x)) * packet];
+            const int lane = (y % edge) * edge + x % edge;
+            // As the kernels carry it: iso plane 2 says done, ea plane 4 is the transmittance.
+            const float state = slot[(iso ? 2 : 4) * lanes_ + lane];
+            const bool begun = std::bit_cast<std::int32_t>(slot[0]) != 0;
+            const bool done = begun && (iso ? std::bit_cast<std::int32_t>(state) != 0 : !(state >= least && state > 0));
+            if (!done && view.meets(at, x, y, 0.5)) return false;
         }
     return true;
 }

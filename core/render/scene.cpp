@@ -1,5 +1,6 @@
 #include "core/render/scene.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/names.h"
@@ -27,6 +28,15 @@ void check_color(const glm::dvec3& color, const char* name) {
     for (int c = 0; c < 3; ++c)
         if (!(color[c] >= 0 && color[c] <= 1))
             refuse(std::string("Each part of the ") + name + " colour must lie between 0 and 1.");
+}
+
+/// Beyond that, single-precision positions tell less than 1/64 of a voxel apart.
+void check_axes(glm::ivec3 size) {
+    constexpr int k_longest_axis = 1 << 17;
+    const int longest = std::max({size.x, size.y, size.z});
+    if (longest > k_longest_axis)
+        throw Error(Errc::unsupported, "An axis of " + std::to_string(longest) + " voxels is longer than the " +
+                                           std::to_string(k_longest_axis) + " that can be drawn; crop the volume.");
 }
 
 void check_cuts(const std::vector<CuttingPlane>& cuts) {
@@ -101,6 +111,7 @@ Scene default_scene(const Volume& volume, const VolumeStatistics& statistics) {
 
 void check(const Scene& scene) {
     if (scene.volume.empty()) refuse("The scene holds no volume; open one first.");
+    check_axes(scene.volume.geometry().size);
     check_camera(scene);
     check_cuts(scene.cuts);
     check_classification(scene);

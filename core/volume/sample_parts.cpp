@@ -81,7 +81,7 @@ struct Placer {
 
 Scene casting(const SampleOptions& options) {
     Scene scene;
-    scene.geometry = cube_grid(options.size, k_casting_edge_mm);
+    scene.geometry = cube_grid(options.dims, k_casting_edge_mm);
     scene.type = VoxelType::u16;
     scene.background = k_air;
     scene.material = k_metal;
@@ -111,7 +111,7 @@ Scene casting(const SampleOptions& options) {
 
 Scene spheres(const SampleOptions& options) {
     Scene scene;
-    scene.geometry = cube_grid(options.size, 64.0);
+    scene.geometry = cube_grid(options.dims, 64.0);
     scene.type = VoxelType::u8;
     scene.background = 20;
     scene.material = 200;
@@ -132,8 +132,8 @@ Scene spheres(const SampleOptions& options) {
 // alpha = 0.25, samples on the faces of [-1, 1]^3 included (40 steps of 0.05 as published).
 Scene marschner_lobb(const SampleOptions& options) {
     Scene scene;
-    scene.geometry.size = glm::ivec3(options.size);
-    scene.geometry.spacing = glm::dvec3(2.0 / (options.size - 1));
+    scene.geometry.size = options.dims;
+    scene.geometry.spacing = 2.0 / glm::dvec3(options.dims - 1);
     scene.geometry.origin = glm::dvec3(-1);
     scene.type = VoxelType::f32;
     scene.formula = [](const glm::dvec3& p) {

@@ -98,25 +98,31 @@ T quantised(double v) {
 
 struct Box {
     glm::ivec3 lo, hi;  ///< voxels [lo, hi)
+    bool empty() const { return lo.x >= hi.x || lo.y >= hi.y || lo.z >= hi.z; }
+    Box within(const Box& other) const { return {glm::max(lo, other.lo), glm::min(hi, other.hi)}; }
 };
 
 template <class T>
 class Painter {
 public:
-    Painter(const Scene& scene, std::span<T> voxels) : scene_(scene), grid_(scene.geometry), voxels_(voxels) {
+    /// @param target  the box to paint, its voxels without gaps at `voxels`
+    Painter(const Scene& scene, const Box& target, T* voxels)
+        : scene_(scene), grid_(scene.geometry), target_(target), voxels_(voxels) {
         all_ = {scene.background, scene.layers};
         ramp_mm_ = grid_.smallest_spacing_mm();
         sigma_mm_ = scene.blur_voxels * ramp_mm_;
         edge_mm_ = std::max(k_edge_sigmas * sigma_mm_, 0.5 * ramp_mm_);
     }
 
+    /// Blocks lie where they lie in the whole volume, so that any box of it has the same voxels.
     void paint(const JobContext& job) {
-        const glm::ivec3 n = (grid_.size + (k_super_block - 1)) / k_super_block;
+        const glm::ivec3 from = target_.lo / k_super_block;
+        const glm::ivec3 n = (target_.hi + (k_super_block - 1)) / k_super_block - from;
         parallel_for(
             0, std::int64_t(n.x) * n.y * n.z,
             [&](std::int64_t i) {
                 const glm::ivec3 at(int(i % n.x), int(i / n.x % n.y), int(i / n.x / n.y));
-                const Box box = box_at(at * k_super_block, k_super_block, grid_.size);
+                const Box box = box_at((from + at) * k_super_block, k_super_block, grid_.size);
                 if (scene_.formula) return fill(box, [&](const glm::dvec3& p) { return scene_.formula(p); });
                 paint_super_block(box);
             },
@@ -137,6 +143,7 @@ private:
             for (int y = outer.lo.y; y < outer.hi.y; y += k_block)
                 for (int x = outer.lo.x; x < outer.hi.x; x += k_block) {
                     const Box box = box_at({x, y, z}, k_block, outer.hi);
+                    if (box.within(target_).empty()) continue;
                     const Painting painting = here.layers.empty() ? here : near(here, box);
                     if (painting.layers.empty())
                         fill(box, [&](const glm::dvec3&) { return painting.base; });
@@ -146,22 +153,41 @@ private:
     }
 
     template <class Value>
-    void fill(const Box& box, Value&& value) {
+    void fill(const Box& block, Value&& value) {
         Noise noise(scene_.noise, scene_.seed);
+        const Box box = block.within(target_);
+        const glm::ivec3 size = target_.hi - target_.lo;
         for (int z = box.lo.z; z < box.hi.z; ++z)
             for (int y = box.lo.y; y < box.hi.y; ++y)
                 for (int x = box.lo.x; x < box.hi.x; ++x) {
                     const std::int64_t i = grid_.linear_index(x, y, z);
                     const double v = value(grid_.voxel_to_mm({x, y, z}));
-                    voxels_[std::size_t(i)] = quantised<T>(v + double(noise.at(i)));
+                    const glm::ivec3 at = glm::ivec3(x, y, z) - target_.lo;
+                    voxels_[(std::int64_t(at.z) * size.y + at.y) * size.x + at.x] =
+                        quantised<T>(v + double(noise.at(i)));
                 }
     }
 
     const Scene& scene_;
     const GridGeometry& grid_;
-    std::span<T> voxels_;
+    Box target_;
+    T* voxels_;
     Painting all_;
     double sigma_mm_ = 0, ramp_mm_ = 1, edge_mm_ = 1;
+};
+
+class PaintedSource final : public VoxelSource {
+public:
+    explicit PaintedSource(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {}
+    void read(const VoxelBox& box, std::byte* out, const JobContext& job) const override {
+        visit_type(scene_->type, [&](auto tag) {
+            using T = decltype(tag);
+            Painter<T>(*scene_, {box.first, box.first + box.size}, reinterpret_cast<T*>(out)).paint(job);
+        });
+    }
+
+private:
+    std::shared_ptr<const Scene> scene_;
 };
 
 double exact_value(const Scene& scene, const glm::dvec3& p) {
@@ -179,7 +205,9 @@ AnalyticSample paint(Scene made, const JobContext& job) {
     AnalyticSample sample;
     sample.volume = visit_type(scene->type, [&](auto tag) {
         using T = decltype(tag);
-        return make_volume<T>(scene->geometry, [&](std::span<T> voxels) { Painter<T>(*scene, voxels).paint(job); });
+        return make_volume<T>(scene->geometry, [&](std::span<T> voxels) {
+            Painter<T>(*scene, {glm::ivec3(0), scene->geometry.size}, voxels.data()).paint(job);
+        });
     });
     sample.volume.name = scene->name;
     sample.volume.unit = scene->unit;
@@ -190,11 +218,19 @@ AnalyticSample paint(Scene made, const JobContext& job) {
     return sample;
 }
 
-GridGeometry cube_grid(int n, double edge_mm) {
+Volume paint_in_parts(Scene made) {
+    const auto scene = std::make_shared<const Scene>(std::move(made));
+    Volume volume(scene->geometry, scene->type, std::make_shared<const PaintedSource>(scene));
+    volume.name = scene->name;
+    volume.unit = scene->unit;
+    return volume;
+}
+
+GridGeometry cube_grid(glm::ivec3 n, double edge_mm) {
     GridGeometry grid;
-    grid.size = glm::ivec3(n);
-    grid.spacing = glm::dvec3(edge_mm / n);
-    grid.origin = glm::dvec3(-0.5 * edge_mm + 0.5 * edge_mm / n);
+    grid.size = n;
+    grid.spacing = edge_mm / glm::dvec3(n);
+    grid.origin = -0.5 * edge_mm + 0.5 * grid.spacing;
     return grid;
 }
 

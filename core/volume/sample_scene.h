@@ -44,8 +44,11 @@ struct Scene {
 /// convolution would move wherever the surface is curved.
 AnalyticSample paint(Scene scene, const JobContext& job);
 
-/// A cube of n voxels a side, `edge_mm` long, its middle at the origin of space.
-GridGeometry cube_grid(int n, double edge_mm);
+/// The same volume, painted box by box as it is read.
+Volume paint_in_parts(Scene scene);
+
+/// A cube `edge_mm` long, its middle at the origin of space, cut into n voxels.
+GridGeometry cube_grid(glm::ivec3 n, double edge_mm);
 
 /// Random numbers that depend on nothing but the seed and how many were drawn; uniform in [0, 1).
 class Dice {

@@ -24,8 +24,6 @@ public:
     /// itself; may be called from several threads. Cost: the bytes of the rows touched.
     /// @pre the box lies inside the grid. @throws Error(io), Error(cancelled)
     virtual void read(const VoxelBox& box, std::byte* out, const JobContext& job = {}) const = 0;
-    /// Reads so many slices at a time fastest: a whole number of its own units, at least 1.
-    virtual int slices_a_unit() const { return 1; }
 };
 
 }  // namespace lacuna

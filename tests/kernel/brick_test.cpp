@@ -4,8 +4,10 @@
 
 #include "core/render/brick_plan.h"
 #include "core/render/engine.h"
+#include "core/render/reference_renderer.h"
 #include "core/volume/brick_grid.h"
 #include "tests/support/device_renderer.h"
+#include "tests/support/memory_source.h"
 #include "tests/support/scenes.h"
 
 namespace lacuna {
@@ -209,7 +211,7 @@ TEST(BrickStreaming, EmptyBricksAreNeverLoadedAndHiddenOnesNotEither) {
     OpenClRenderer renderer(test::device());
     const RenderResult once = renderer.render(scene, in_bricks(exact_plan(Structure::none), 16), {}, false);
     EXPECT_EQ(once.bricks->total, 512);
-    EXPECT_GT(once.bricks->empty, 100);
+    EXPECT_GT(once.bricks->empty, 30);
     EXPECT_EQ(once.bricks->loaded + once.bricks->empty + once.bricks->hidden + once.bricks->uniform, 512);
     EXPECT_EQ(once.bricks->cast, once.bricks->loaded + once.bricks->uniform);
     const RenderResult again = renderer.render(scene, in_bricks(exact_plan(Structure::none), 16), {}, false);
@@ -226,6 +228,44 @@ TEST(BrickStreaming, EmptyBricksAreNeverLoadedAndHiddenOnesNotEither) {
     EXPECT_GT(solid.bricks->hidden, 100);
     const Frame whole = test::renderer(16).render(scene, exact_plan(Structure::none), {}, false).frame;
     EXPECT_EQ(test::share_over(solid.frame, whole, 0.01), 0);
+}
+
+TEST(BrickStreaming, AVolumeThatIsNotInMemoryGivesTheSamePicture) {
+    LACUNA_NEEDS_DEVICE();
+    for (const char* name : {"u16_1_1_5", "nan_f32", "one_slice"}) {
+        Scene scene = test::small_scene(named(name), ViewMode::ea);
+        const Frame whole = test::renderer(16).render(scene, exact_plan(Structure::acd), {}, false).frame;
+        scene.volume = test::elsewhere(scene.volume);
+        Engine engine(test::device());
+        const RenderResult result = engine.render(scene, exact_plan(Structure::acd));
+        ASSERT_TRUE(result.bricks.has_value());  // nothing asked for them: they are the only way
+        EXPECT_LE(test::share_over(result.frame, whole, 0.01), 0) << name;
+        EXPECT_THROW(Engine(nullptr).render(scene, exact_plan(Structure::acd)), Error);
+    }
+}
+
+TEST(BrickStreaming, LongAxesWork) {
+    LACUNA_NEEDS_DEVICE();
+    GridGeometry grid;
+    grid.size = {20000, 5, 4};
+    const Volume rod = make_volume<std::uint8_t>(grid, [](auto voxels) {
+        for (std::size_t i = 0; i < voxels.size(); ++i)
+            voxels[i] = std::uint8_t(127.5 + 120 * std::sin(0.004 * double(i % 20000)));
+    });
+    for (const ViewMode mode : {ViewMode::iso, ViewMode::mip}) {
+        Scene scene = test::small_scene(rod, mode, {96, 64});
+        scene.camera.azimuth_deg = 12;
+        scene.camera.zoom = 500;
+        scene.camera.center_mm = glm::dvec3(19900, 2, 1.5);
+        const Frame truth = render_reference(scene, exact_plan(Structure::none));
+        for (const Structure structure : {Structure::none, Structure::octree, Structure::acd}) {
+            const Frame whole = test::renderer(16).render(scene, exact_plan(structure), {}, false).frame;
+            const Frame bricks =
+                test::renderer(16).render(scene, in_bricks(exact_plan(structure), 256), {}, false).frame;
+            EXPECT_LE(test::share_over(whole, truth, 1.0), 0.02) << int(mode) << " " << name_of(structure);
+            EXPECT_LE(test::share_over(bricks, whole, 0.01), 0) << int(mode) << " " << name_of(structure);
+        }
+    }
 }
 
 TEST(BrickStreaming, StaysWithinWhatBricksMayTake) {
