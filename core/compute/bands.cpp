@@ -43,13 +43,13 @@ private:
 
 void run_in_bands(ComputeDevice& device, int rows, int granule,
                   const std::function<void(int first, int count, cl::Event& done)>& enqueue, const JobContext& job,
-                  double band_ms) {
+                  double band_ms, int* height) {
     job.check();
     if (rows <= 0) return;
     granule = std::max(granule, 1);
     const FinishAtExit finish(device.queue());
     std::deque<BandInFlight> flight;
-    int next_row = 0, granules = 1;
+    int next_row = 0, granules = std::max(height ? *height : 1, 1);
     Stopwatch since_last;
     const auto wait_for_oldest = [&] {
         const BandInFlight band = flight.front();
@@ -72,6 +72,9 @@ void run_in_bands(ComputeDevice& device, int rows, int granule,
         }
         while (!flight.empty()) wait_for_oldest();
     });
+    if (!height) return;
+    const bool all_at_once = granules * granule >= rows;  // the call was too small to tell how high a band could be
+    *height = all_at_once ? std::max(*height, granules) : granules;
 }
 
 }  // namespace lacuna

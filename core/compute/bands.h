@@ -15,10 +15,11 @@ namespace lacuna {
 /// @param enqueue  launches rows [first, first + count) on the device's queue and sets `done` to the launch's event.
 ///                 The first row belongs into a kernel argument, not into the global offset: PoCL compiles a kernel
 ///                 anew (0.2 s) for launches with an offset
+/// @param granules with the height to start with, in granules, and to leave with: for a picture made by many calls
 /// Returns, or throws, when nothing is in flight any more. Progress counts finished rows.
 /// @throws Error(cancelled) from `job`; Error(device); what `enqueue` throws
 void run_in_bands(ComputeDevice& device, int rows, int granule,
                   const std::function<void(int first, int count, cl::Event& done)>& enqueue, const JobContext& job = {},
-                  double band_ms = 8);
+                  double band_ms = 8, int* granules = nullptr);
 
 }  // namespace lacuna

@@ -23,8 +23,6 @@ Volume uniform_volume(const Volume& like, double value) {
 
 }  // namespace
 
-std::size_t BrickStream::Brick::bytes() const { return voxel_bytes + structures->bytes(); }
-
 BrickStream::BrickStream(std::shared_ptr<ComputeDevice> device, const Volume& volume, const BrickGrid& grid,
                          std::shared_ptr<const BrickIndex> index)
     : device_(std::move(device)), volume_(volume), grid_(grid), index_(std::move(index)) {
@@ -56,20 +54,28 @@ const std::vector<BrickState>& BrickStream::states(const Scene& scene, const Pla
 }
 
 void BrickStream::make_room(std::uint64_t needed, std::uint64_t budget, std::int64_t keep) {
-    while (bytes() + needed > budget) {
+    while (bytes_ + needed > budget) {
         auto oldest = bricks_.end();
         for (auto b = bricks_.begin(); b != bricks_.end(); ++b)
             if (b->first != keep && (oldest == bricks_.end() || b->second.used < oldest->second.used)) oldest = b;
         if (oldest == bricks_.end()) return;
+        bytes_ -= oldest->second.voxel_bytes + oldest->second.structure_bytes;
         bricks_.erase(oldest);
     }
 }
 
+void BrickStream::settle(std::int64_t number, std::uint64_t budget) {
+    Brick& brick = bricks_.at(number);
+    const std::size_t now = brick.structures->bytes();
+    bytes_ = bytes_ - brick.structure_bytes + now;
+    brick.structure_bytes = now;
+    largest_structure_ = std::max(largest_structure_, now);
+    make_room(0, budget, number);
+    counts.bytes_peak = std::max(counts.bytes_peak, bytes_);
+}
+
 BrickStream::Brick& BrickStream::hold(std::int64_t number, const BrickState& state, std::uint64_t budget,
                                       const JobContext& job) {
-    // What the structures of resident bricks came to is known only now.
-    for (const auto& [other, brick] : bricks_)
-        largest_structure_ = std::max(largest_structure_, brick.structures->bytes());
     auto found = bricks_.find(number);
     const bool uniform = state.content == BrickContent::uniform;
     if (found == bricks_.end()) {
@@ -88,12 +94,13 @@ BrickStream::Brick& BrickStream::hold(std::int64_t number, const BrickState& sta
         made.structures = std::make_unique<StructureCache>(device_);
         made.structures->hold(made.volume);
         made.voxel_bytes = made.volume.bytes() + made.voxels->extra_bytes();
+        bytes_ += made.voxel_bytes;
         found = bricks_.emplace(number, std::move(made)).first;
-    } else {
-        make_room(found->second.structures->bytes() ? 0 : largest_structure_, budget, number);
+    } else if (found->second.structure_bytes == 0) {
+        make_room(largest_structure_, budget, number);
     }
     found->second.used = ++clock_;
-    counts.bytes_peak = std::max(counts.bytes_peak, bytes());
+    counts.bytes_peak = std::max(counts.bytes_peak, bytes_);
     return found->second;
 }
 
@@ -108,12 +115,6 @@ BrickParams BrickStream::place(std::int64_t number) const {
         out.hi[a] = std::min(hi[a], k_outside);
     }
     return out;
-}
-
-std::uint64_t BrickStream::bytes() const {
-    std::uint64_t sum = 0;
-    for (const auto& [number, brick] : bricks_) sum += brick.bytes();
-    return sum;
 }
 
 }  // namespace lacuna

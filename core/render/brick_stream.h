@@ -24,12 +24,11 @@ public:
         Volume volume;
         std::unique_ptr<DeviceVolume> voxels;
         std::unique_ptr<StructureCache> structures;
-        std::size_t bytes() const;
 
     private:
         friend class BrickStream;
         std::uint64_t used = 0;
-        std::size_t voxel_bytes = 0;
+        std::size_t voxel_bytes = 0, structure_bytes = 0;
     };
 
     /// @param index  of this volume; without one it is made when first needed (a pass over the voxels)
@@ -49,10 +48,12 @@ public:
     /// brick is eight voxels of its value.
     /// @throws Error(io), Error(out_of_memory), Error(cancelled)
     Brick& hold(std::int64_t brick, const BrickState& state, std::uint64_t budget, const JobContext& job);
+    /// Takes note of what the brick's structures have come to; others go if that is more than there was room for.
+    void settle(std::int64_t brick, std::uint64_t budget);
     /// Where the brick lies, as kernels read it; the launch's column is left 0.
     BrickParams place(std::int64_t brick) const;
 
-    std::uint64_t bytes() const;
+    std::uint64_t bytes() const { return bytes_; }
     BrickCounts counts;  ///< of the picture being cast; whoever starts one resets it
 
 private:
@@ -65,7 +66,7 @@ private:
     std::map<std::int64_t, Brick> bricks_;
     std::optional<VisibilityKey> states_key_;
     std::vector<BrickState> states_;
-    std::uint64_t clock_ = 0;
+    std::uint64_t clock_ = 0, bytes_ = 0;
     std::size_t largest_structure_ = 0;  ///< bytes of the largest seen: what the next brick's may take
 };
 

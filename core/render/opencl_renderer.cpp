@@ -133,7 +133,8 @@ cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, const B
     return found->second;
 }
 
-void OpenClRenderer::run_bands(cl::Kernel& kernel, const PixelRect& rect, const JobContext& job) {
+void OpenClRenderer::run_bands(cl::Kernel& kernel, const PixelRect& rect, const JobContext& job, int* height) {
+    constexpr double k_band_ms = 8;
     const int packet = lanes_ == 16 ? 4 : 1, group = lanes_ == 16 ? 4 : 8;
     run_in_bands(
         *device_, rect.size().y, k_group_pixels,
@@ -143,7 +144,7 @@ void OpenClRenderer::run_bands(cl::Kernel& kernel, const PixelRect& rect, const 
                 kernel, cl::NullRange, cl::NDRange(std::size_t(rect.size().x / packet), std::size_t(count / packet)),
                 cl::NDRange(std::size_t(group), std::size_t(group)), nullptr, &done);
         },
-        job);
+        job, k_band_ms, height);
 }
 
 void OpenClRenderer::run_tiles(cl::Kernel& kernel, int tiles, const JobContext& job) {
@@ -295,6 +296,7 @@ void OpenClRenderer::cast_brick(const Cast& cast, RayParams params, std::int64_t
     put_volume(params, held.volume.geometry().size, held.voxels->stored_size());
     std::map<std::string, BuildRecord> build;
     const BoundStructure structure = held.structures->prepare(part, plan, cast.tables, params, build, cast.job);
+    bricks_->settle(brick, cast.plan.brick_bytes);
     for (const auto& [name, made] : build) {
         (*cast.build)[name].ms += made.ms;
         (*cast.build)[name].bytes += made.bytes;
@@ -311,7 +313,7 @@ void OpenClRenderer::cast_brick(const Cast& cast, RayParams params, std::int64_t
         caster.setArg(tiles_arg_, *tiles);
         run_tiles(caster, tile_count, cast.job);
     } else {
-        run_bands(caster, rect, cast.job);
+        run_bands(caster, rect, cast.job, &brick_band_);
     }
     ++bricks_->counts.cast;
 }

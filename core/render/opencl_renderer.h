@@ -54,7 +54,7 @@ private:
     void hold_output(glm::ivec2 padded, bool count);
     Counters read_counters();
     void bind(cl::Kernel& kernel, const Cast& cast, const RayParams& params);
-    void run_bands(cl::Kernel& kernel, const PixelRect& rect, const JobContext& job);
+    void run_bands(cl::Kernel& kernel, const PixelRect& rect, const JobContext& job, int* height = nullptr);
     void run_tiles(cl::Kernel& kernel, int tiles, const JobContext& job);
     Frame read_frame(glm::ivec2 size);
     /// Casts the picture, or the tiles of a list, through whole volume or bricks, into the output held.
@@ -80,6 +80,7 @@ private:
     std::unique_ptr<Tables> tables_;
     std::unique_ptr<Output> output_;
     cl::Buffer constants_, whole_constants_, brick_constants_, carry_;
+    int brick_band_ = 1;     ///< height of bands, in groups, that a brick's launch starts with
     cl_uint tiles_arg_ = 0;  ///< of the kernel bound last: where a tile list goes
 };
 
