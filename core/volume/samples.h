@@ -30,10 +30,10 @@ struct AnalyticSample {
 /// Options of a sample; the defaults give what `sample:NAME` means on the command line.
 struct SampleOptions {
     int size = 0;              ///< voxels along every axis; 0: the sample's default
-    glm::ivec3 dims{0};        ///< voxels along each axis, over the same box of space; 0: as `size` says
     double noise = -1;         ///< standard deviation in the volume's unit; negative: the sample's default
     double blur_voxels = -1;   ///< Gaussian sigma of the point-spread function; negative: the sample's default
     unsigned seed = 1;         ///< of noise and of the random objects; same seed, same bytes, any number of threads
+    glm::ivec3 dims{0};        ///< voxels along each axis, over the same box of space; 0: as `size` says
 };
 
 /// Names of the built-in samples: casting, head, vessels, spheres, marschner-lobb.
