@@ -94,6 +94,7 @@ int run(int argc, char** argv) {
     Action chosen;
     add_info_command(app, chosen);
     add_render_command(app, chosen);
+    add_bench_command(app, chosen);
     add_regions_command(app, chosen);
     add_convert_command(app, chosen);
     add_devices_command(app, chosen);

@@ -13,6 +13,7 @@ using Action = std::function<int(Console&)>;
 /// Each adds its subcommand with its flags; when the user chose it, `chosen` becomes its work.
 void add_info_command(CLI::App& app, Action& chosen);
 void add_render_command(CLI::App& app, Action& chosen);
+void add_bench_command(CLI::App& app, Action& chosen);
 void add_regions_command(CLI::App& app, Action& chosen);
 void add_convert_command(CLI::App& app, Action& chosen);
 void add_devices_command(CLI::App& app, Action& chosen);

@@ -6,10 +6,10 @@
 #include "app/render_options.h"
 #include "app/render_stats.h"
 #include "core/accel/brick_index.h"
+#include "core/accuracy/difference_map.h"
 #include "core/base/atomic_file.h"
 #include "core/compute/device_list.h"
 #include "core/io/image_writer.h"
-#include "core/render/reference_renderer.h"
 
 namespace lacuna::cli {
 
@@ -56,16 +56,25 @@ Frame render_frame(Engine& engine, const Scene& scene, const Plan& plan, bool me
     return std::move(result.frame);
 }
 
-/// The error against the brute-force picture in double precision; of several frames the worst is kept.
-void verify_frame(const Scene& scene, const Plan& plan, const Frame& frame, const JobContext& job,
-                  RenderRecord& record) {
-    const Plan truth = reference_plan(scene, plan);
-    Frame expected = render_reference(scene, truth, job);
-    apply_effects(scene, expected, job);
-    ImageError error = compare(frame, expected, scene.background);
-    error.reference = fmt::format("reference renderer, structure none, ert {:g}, step {:g}, sampler {}", truth.ert,
-                                  truth.step, name_of(truth.sampler));
-    if (!record.error || !(error.max <= record.error->max)) record.error = error;
+/// The error against the true picture; of several frames the worst is kept, and its difference map.
+void verify_frame(const RenderOptions& options, const Scene& scene, const Plan& plan, const Frame& frame,
+                  const JobContext& job, RenderRecord& record, DifferenceMap& map) {
+    std::optional<AnalyticSample> sample;
+    if (options.verify_against == Truth::closed_form) sample = open_sample(options.input.input, job);
+    const TrueFrame truth = render_truth(options.verify_against, scene, plan, sample ? &*sample : nullptr, job);
+    if (!truth.has_colors)
+        throw Error(Errc::unsupported,
+                    "The closed form of this sample has surfaces but no normals to shade with; add --shading none.");
+    ImageError error = compare(frame, truth.frame, scene.background);
+    error.reference = truth.reference;
+    if (record.error && error.max <= record.error->max) return;
+    record.error = error;
+    map = difference_map(frame, truth.frame, scene.background);
+    if (scene.mode == ViewMode::iso)
+        record.surface = compare_surfaces(frame, truth.frame, scene.volume.geometry().smallest_spacing_mm());
+    if (!scene.color_by_tf && scene.effects.empty() &&
+        (scene.mode == ViewMode::mip || scene.mode == ViewMode::lmip || scene.mode == ViewMode::minip))
+        record.projection = compare_projections(frame, truth.frame, scene.window, scene.mode == ViewMode::minip);
 }
 
 std::string summary(const RenderOptions& options, const Scene& scene, const Plan& plan, const RenderRecord& record) {
@@ -76,7 +85,7 @@ std::string summary(const RenderOptions& options, const Scene& scene, const Plan
         fmt::format("{}: {}{}x{}, {}, {}, step {:g}, {:.4g} ms{} on {}\n", options.frame_path(0).string(), frames,
                     scene.size.x, scene.size.y, name_of(scene.mode), name_of(plan.structure), plan.step,
                     ms / double(record.frames.size()), record.frames.size() > 1 ? " each" : "", record.device);
-    if (record.error) text += "verified: " + error_text(*record.error) + "\n";
+    if (record.error) text += "verified: " + error_text(record) + "\n";
     return text;
 }
 
@@ -89,6 +98,7 @@ int run_render(RenderOptions& options, Console& console) {
     options.parse();
     for (int i = 0; i < options.turntable(); ++i) check_target(options.frame_path(i));
     if (!options.stats.empty()) check_target(options.stats);
+    if (!options.verify_map.empty()) check_target(options.verify_map);
 
     const Volume volume =
         options.input.load_or_leave(most_at_once(options.input.memory_limit_bytes(), options.picture_size()), console);
@@ -114,16 +124,22 @@ int run_render(RenderOptions& options, Console& console) {
     const Plan plan = engine.fitted(options.plan(scene), scene);
     RenderRecord record;
     record.device = engine.device_name();
+    DifferenceMap map;
     const double azimuth = scene.camera.azimuth_deg;
     const int frames = options.turntable();
     for (int i = 0; i < frames; ++i) {
         const JobContext job = console.job(frames > 1 ? fmt::format("Rendering {}/{}", i + 1, frames) : "Rendering");
         scene.camera.azimuth_deg = azimuth + 360.0 * i / frames;
         const Frame frame = render_frame(engine, scene, plan, !options.stats.empty(), job, record);
-        if (options.verify) verify_frame(scene, plan, frame, console.job("Verifying"), record);
+        if (options.verify) verify_frame(options, scene, plan, frame, console.job("Verifying"), record, map);
         write_png(options.frame_path(i), scene.size, to_rgb8(frame, scene.background));
     }
     scene.camera.azimuth_deg = azimuth;
+    if (!options.verify_map.empty()) {
+        write_png(options.verify_map, map.size, map.rgb);
+        console.note_at_end(
+            fmt::format("{}: black where equal, brightest where {:.3g}/255 off", options.verify_map, map.full_scale));
+    }
     if (!options.stats.empty()) write_file(options.stats, stats_json(scene, plan, record));
     if (!console.quiet || options.verify) console.print(summary(options, scene, plan, record));
     return 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/parse.h"
+#include "core/base/atomic_file.h"
 
 namespace lacuna::cli {
 
@@ -70,7 +71,12 @@ void RenderOptions::add_to(CLI::App& command) {
     words("--effects", words_.effects,
           "name[=v[,v..]],..: ssao, ao, dof, gamma, tonemap, brightness, contrast, in this order (docs/effects.md)");
     word("--turntable", words_.turntable, "N frames over 360 degrees: OUT-000.png ...");
+    word("--plan", words_.plan, "FILE or {JSON}: draw by this plan, as lacuna bench and --stats write it");
     command.add_flag("--verify", verify, "also render the reference and report the error");
+    word("--verify-against", words_.verify_against,
+         "samples (default), fine (a 16 times finer step) or closed-form (of a sample:NAME); implies --verify");
+    command.add_option("--verify-map", verify_map,
+                       "write where and how much it is off as a picture, OUT.png; implies --verify");
     command.add_option("--stats", stats, "write times, counters and errors as JSON");
     command.add_option("--device", device, "OpenCL device: number, part of its name, or list");
 }
@@ -172,6 +178,25 @@ void RenderOptions::parse_plan() {
     }
 }
 
+/// --plan replaces every word about how to draw, and brings its mode.
+void RenderOptions::parse_replayed_plan() {
+    if (!words_.plan) return;
+    for (const auto& [flag, word] : {std::pair("--structure", &words_.structure), std::pair("--step", &words_.step),
+                                     std::pair("--sampler", &words_.sampler), std::pair("--refine", &words_.refine),
+                                     std::pair("--refine-steps", &words_.refine_steps), std::pair("--ert", &words_.ert),
+                                     std::pair("--cells", &words_.cells), std::pair("--sparse", &words_.sparse),
+                                     std::pair("--homogeneity", &words_.homogeneity)})
+        if (*word) throw Error(Errc::bad_usage, fmt::format("{} does not go with --plan, which says it all.", flag));
+    constexpr std::uintmax_t k_most_bytes = 1 << 16;
+    const bool inline_json = words_.plan->starts_with("{");
+    replayed_ = plan_from_json(inline_json ? *words_.plan : read_file(*words_.plan, k_most_bytes),
+                               inline_json ? "--plan" : *words_.plan);
+    if (words_.mode && mode_ != replayed_->mode)
+        throw Error(Errc::bad_usage, fmt::format("--mode {} does not go with --plan, whose mode is {}.", *words_.mode,
+                                                 name_of(replayed_->mode)));
+    mode_ = replayed_->mode;
+}
+
 void RenderOptions::check_combinations() const {
     if (mode_ == ViewMode::shear_warp) {
         if (camera_.fov_deg)
@@ -210,6 +235,12 @@ void RenderOptions::parse() {
     if (words_.window) window_ = parse_range("--window", *words_.window);
     parse_camera();
     parse_plan();
+    parse_replayed_plan();
+    if (words_.verify_against)
+        verify_against = for_flag("--verify-against", [&] { return parse_truth(*words_.verify_against); });
+    if (words_.verify_against || !verify_map.empty()) verify = true;
+    if (verify_against == Truth::closed_form && !input.input.starts_with("sample:"))
+        refuse("--verify-against", *words_.verify_against, "known for an input other than sample:NAME");
     for (const std::string& text : words_.cuts) cuts_.push_back(parse_cut(text));
     for (const std::string& text : words_.effects)
         for (Effect& effect : for_flag("--effects", [&] { return parse_effects(text); }))
@@ -244,6 +275,7 @@ Scene RenderOptions::scene(const Volume& volume, const VolumeStatistics& statist
 }
 
 Plan RenderOptions::plan(const Scene& scene) const {
+    if (replayed_) return replayed_->plan;
     Plan plan = default_plan(scene);
     const auto take = [&](auto& value, const auto& asked, const char* flag) {
         if (!asked) return;

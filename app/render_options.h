@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "app/input_options.h"
-#include "core/render/plan.h"
+#include "core/accuracy/truth.h"
+#include "core/render/plan_json.h"
 #include "core/render/scene.h"
 
 namespace lacuna::cli {
@@ -18,6 +19,8 @@ public:
     InputOptions input;
     std::string output, stats, device;
     bool verify = false;
+    std::string verify_map;                 ///< --verify-map: where the difference map goes; empty: nowhere
+    Truth verify_against = Truth::samples;  ///< --verify-against
 
     void add_to(CLI::App& command);
     /// Reads every word, loads the transfer functions named, and checks all that can be checked without the volume.
@@ -48,7 +51,7 @@ private:
     struct Words {
         std::optional<std::string> mode, iso, tf, window, shading, lmip_threshold, size, azimuth, elevation, roll, zoom,
             center, perspective, step, sampler, gradient, refine, refine_steps, structure, cells, brick, homogeneity,
-            sparse, ert, turntable, directions, voxel_gradient;
+            sparse, ert, turntable, directions, voxel_gradient, plan, verify_against;
         std::vector<std::string> ranges, cuts, effects;
     };
 
@@ -57,6 +60,7 @@ private:
     static CuttingPlane parse_cut(const std::string& text);
     void parse_camera();
     void parse_plan();
+    void parse_replayed_plan();
     void check_combinations() const;
     void rehearse() const;
 
@@ -75,6 +79,7 @@ private:
     std::vector<Effect> effects_;
     Camera camera_;
     glm::ivec2 size_{512, 512};
+    std::optional<ModePlan> replayed_;
     std::optional<Structure> structure_;
     std::optional<Sampler> sampler_;
     std::optional<Refinement> refine_;

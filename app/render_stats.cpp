@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/render/plan_json.h"
+
 namespace lacuna::cli {
 
 namespace {
@@ -47,26 +49,6 @@ ordered_json view_json(const Scene& scene) {
     return view;
 }
 
-ordered_json plan_json(const Scene& scene, const Plan& plan) {
-    return {{"mode", std::string(name_of(scene.mode))},
-            {"structure", std::string(name_of(plan.structure))},
-            {"step", plan.step},
-            {"sampler", std::string(name_of(plan.sampler))},
-            {"gradient", "central,on-the-fly"},
-            {"refine", std::string(name_of(plan.refine))},
-            {"refine_steps", plan.refine_steps},
-            {"ert", plan.ert},
-            {"sparse", plan.sparse >= 2 ? ordered_json(plan.sparse) : ordered_json(nullptr)},
-            {"sparse_gradient", plan.sparse >= 2 ? ordered_json(plan.sparse_gradient) : ordered_json(nullptr)},
-            {"cells", plan.cells},
-            {"directions", plan.directions},
-            {"voxel_gradient", std::string(name_of(plan.voxel_gradient))},
-            {"homogeneity", plan.homogeneity},
-            {"homogeneity_angle", plan.homogeneity_angle_deg},
-            {"brick", plan.brick > 0 ? ordered_json(plan.brick) : ordered_json(nullptr)},
-            {"why", plan.why}};
-}
-
 ordered_json bricks_json(const BrickCounts& b) {
     return {{"total", b.total},   {"empty", b.empty},           {"hidden", b.hidden},        {"uniform", b.uniform},
             {"loaded", b.loaded}, {"bytes_read", b.bytes_read}, {"bytes_peak", b.bytes_peak}};
@@ -97,23 +79,44 @@ std::string stats_json(const Scene& scene, const Plan& plan, const RenderRecord&
     ordered_json json{{"device", record.device},
                       {"input", input_json(scene.volume)},
                       {"view", view_json(scene)},
-                      {"plan", plan_json(scene, plan)},
+                      {"plan", ordered_json::parse(to_json({scene.mode, plan}))},
                       {"build", build},
                       {"frames", frames},
                       {"ms", times_json(record.frames)}};
     if (record.bricks) json["bricks"] = bricks_json(*record.bricks);
     json["error"] = nullptr;
     if (record.error)  // what is infinite (PSNR of equal pictures) becomes null
-        json["error"] = {
-            {"reference", record.error->reference}, {"max", record.error->max},
-            {"mean", record.error->mean},           {"psnr", record.error->psnr},
-            {"ssim", record.error->ssim},           {"pixels_over_budget", record.error->pixels_over_budget}};
+        json["error"] = {{"reference", record.error->reference},
+                         {"max", record.error->max},
+                         {"mean", record.error->mean},
+                         {"psnr", record.error->psnr},
+                         {"ssim", record.error->ssim},
+                         {"flip", record.error->flip},
+                         {"pixels_over_budget", record.error->pixels_over_budget}};
+    if (record.surface)
+        json["error"]["surface"] = {
+            {"max_voxels", record.surface->max_voxels}, {"mean_voxels", record.surface->mean_voxels},
+            {"rms_voxels", record.surface->rms_voxels}, {"missed", record.surface->missed},
+            {"false_hits", record.surface->false_hits}, {"over_one_voxel", record.surface->over_one_voxel}};
+    if (record.projection)
+        json["error"]["projection"] = {{"max_undershoot", record.projection->max_undershoot},
+                                       {"mean_undershoot", record.projection->mean_undershoot},
+                                       {"pixels", record.projection->pixels}};
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-std::string error_text(const ImageError& error) {
-    return fmt::format("max error {:.3g}/255, mean {:.3g}/255, PSNR {:.1f} dB, SSIM {:.5f}, {} pixels over 1/255",
-                       error.max, error.mean, error.psnr, error.ssim, error.pixels_over_budget);
+std::string error_text(const RenderRecord& record) {
+    const ImageError& error = *record.error;
+    std::string text = fmt::format(
+        "max error {:.3g}/255, mean {:.3g}/255, PSNR {:.1f} dB, SSIM {:.5f}, FLIP {:.2g}, {} pixels over 1/255",
+        error.max, error.mean, error.psnr, error.ssim, error.flip, error.pixels_over_budget);
+    if (const auto& surface = record.surface)
+        text += fmt::format("; depth max {:.3g}, mean {:.2g} voxels, {} silhouette pixels missed, {} false",
+                            surface->max_voxels, surface->mean_voxels, surface->missed, surface->false_hits);
+    if (const auto& projection = record.projection)
+        text += fmt::format("; values at most {:.3g} short, {:.2g} on average", projection->max_undershoot,
+                            projection->mean_undershoot);
+    return text;
 }
 
 }  // namespace lacuna::cli

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/accuracy/image_error.h"
+#include "core/accuracy/mode_error.h"
 #include "core/render/engine.h"
 
 namespace lacuna::cli {
@@ -23,13 +24,16 @@ struct RenderRecord {
     std::map<std::string, BuildRecord> build;
     std::vector<FrameRecord> frames;
     std::optional<BrickCounts> bricks;  ///< of the last frame, where the plan has bricks
-    std::optional<ImageError> error;    ///< the worst frame's, when verified
+    std::optional<ImageError> error;            ///< the worst frame's, when verified
+    std::optional<SurfaceError> surface;        ///< that frame's, iso
+    std::optional<ProjectionError> projection;  ///< that frame's, mip, lmip, minip in grey
 };
 
 /// The contract's statistics as JSON.
 std::string stats_json(const Scene& scene, const Plan& plan, const RenderRecord& record);
 
-/// "max error 0.42/255, mean 0.01/255, PSNR 61.2 dB, SSIM 0.9998, 0 pixels over 1/255".
-std::string error_text(const ImageError& error);
+/// "max error 0.42/255, mean 0.01/255, PSNR 61.2 dB, SSIM 0.9998, FLIP 0.001, 0 pixels over 1/255; depth ...".
+/// @pre record.error
+std::string error_text(const RenderRecord& record);
 
 }  // namespace lacuna::cli

@@ -342,6 +342,12 @@ std::optional<Volume> open_volume_in_parts(const std::string& input, const OpenO
     return volume;
 }
 
+std::optional<AnalyticSample> open_sample(const std::string& input, const JobContext& job) {
+    if (!is_sample(input)) return std::nullopt;
+    const auto [name, options] = sample_call(input);
+    return make_sample(name, options, job);
+}
+
 Volume open_volume(const std::string& input, const OpenOptions& options, const JobContext& job) {
     if (is_sample(input)) {
         const auto [name, sample] = sample_call(input);

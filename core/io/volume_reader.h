@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/volume/samples.h"
 #include "core/volume/volume.h"
 
 namespace lacuna {
@@ -56,6 +57,10 @@ Volume open_volume(const std::string& input, const OpenOptions& options = {}, co
 /// .mhd .mha .nrrd .nhdr whose voxels are not packed, and built-in samples, painted as they are read. Nothing for all
 /// other inputs. Cost: the header's. Whether voxels are NaN is not looked at. @throws as open_volume
 std::optional<Volume> open_volume_in_parts(const std::string& input, const OpenOptions& options = {});
+
+/// A built-in sample with its exact truth; nullopt for every other input.
+/// @throws Error(bad_usage) for an unknown sample or a size that is none
+std::optional<AnalyticSample> open_sample(const std::string& input, const JobContext& job = {});
 
 /// SHA-256 of the voxels, little-endian in the stored type, x fastest, as hex.
 std::string voxel_sha256(const Volume& volume, const JobContext& job = {});

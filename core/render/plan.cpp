@@ -34,6 +34,10 @@ std::string_view name_of(Structure structure) { return name_in(k_structure_names
 std::string_view name_of(Sampler sampler) { return name_in(k_sampler_names, sampler); }
 std::string_view name_of(Refinement refinement) { return name_in(k_refinement_names, refinement); }
 std::string_view name_of(VoxelGradient filter) { return name_in(k_voxel_gradient_names, filter); }
+std::span<const std::pair<Structure, std::string_view>> structure_names() { return k_structure_names; }
+std::span<const std::pair<Sampler, std::string_view>> sampler_names() { return k_sampler_names; }
+std::span<const std::pair<Refinement, std::string_view>> refinement_names() { return k_refinement_names; }
+std::span<const std::pair<VoxelGradient, std::string_view>> voxel_gradient_names() { return k_voxel_gradient_names; }
 Structure parse_structure(std::string_view text) { return parse_name(k_structure_names, text, "structure"); }
 Sampler parse_sampler(std::string_view text) { return parse_name(k_sampler_names, text, "sampler"); }
 Refinement parse_refinement(std::string_view text) { return parse_name(k_refinement_names, text, "refinement"); }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/accel/voxel_normals.h"
@@ -43,6 +45,11 @@ std::string_view name_of(Structure structure);
 std::string_view name_of(Sampler sampler);
 std::string_view name_of(Refinement refinement);
 std::string_view name_of(VoxelGradient filter);
+/// Every value with its name, in the order they are listed: what is enumerated follows what there is.
+std::span<const std::pair<Structure, std::string_view>> structure_names();
+std::span<const std::pair<Sampler, std::string_view>> sampler_names();
+std::span<const std::pair<Refinement, std::string_view>> refinement_names();
+std::span<const std::pair<VoxelGradient, std::string_view>> voxel_gradient_names();
 /// @throws Error(bad_usage) listing the known names
 Structure parse_structure(std::string_view text);
 Sampler parse_sampler(std::string_view text);

@@ -88,8 +88,7 @@ TEST(Truth, ExactDepthOfTheMiddleBall) {
     const SampleObject& ball = s.analytic.objects[0];
     const double expected = ball.centre_mm.y - ball.radii_mm.y - rays.origin(31, 31).y;
     EXPECT_NEAR(truth.depth_mm[31 * 63 + 31], expected, 1e-4);
-    EXPECT_NEAR(truth.color[31 * 63 + 31].r, s.scene.surface_color.r * 0.9 + 0.3, 1e-3)
-        << "seen head-on";
+    EXPECT_NEAR(truth.color[31 * 63 + 31].r, s.scene.surface_color.r * 0.9 + 0.3, 1e-3) << "seen head-on";
 }
 
 TEST(Truth, AFormulasSurfaceHasDepthAndNormal) {
