@@ -121,7 +121,17 @@ int run_render(RenderOptions& options, Console& console) {
     engine.adopt(index);
     check(scene);
     check(options.plan(scene), scene);
-    const Plan plan = engine.fitted(options.plan(scene), scene);
+    Plan plan = engine.fitted(options.plan(scene), scene);
+    if (const auto budget = options.budget()) {
+        if (!volume.in_memory())
+            throw Error(Errc::unsupported,
+                        "Planning for a budget needs the whole volume in memory; raise --memory-limit or leave it out.");
+        const PlannedPlan planned = choose_plan(engine, scene, *budget, console.job("Planning"));
+        plan = planned.plan;
+        if (!planned.meets_budget)
+            console.note_at_end(
+                fmt::format("the time budget cannot be kept: the fastest plan found takes {:.3g} ms", planned.ms));
+    }
     RenderRecord record;
     record.device = engine.device_name();
     DifferenceMap map;

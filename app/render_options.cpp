@@ -71,6 +71,9 @@ void RenderOptions::add_to(CLI::App& command) {
     words("--effects", words_.effects,
           "name[=v[,v..]],..: ssao, ao, dof, gamma, tonemap, brightness, contrast, in this order (docs/effects.md)");
     word("--turntable", words_.turntable, "N frames over 360 degrees: OUT-000.png ...");
+    word("--error-budget", words_.error_budget,
+         "E: the fastest plan no pixel of which is off by more than E/255 from brute force");
+    word("--time-budget", words_.time_budget, "MS: the most exact plan that draws a frame in MS milliseconds");
     word("--plan", words_.plan, "FILE or {JSON}: draw by this plan, as lacuna bench and --stats write it");
     command.add_flag("--verify", verify, "also render the reference and report the error");
     word("--verify-against", words_.verify_against,
@@ -178,15 +181,33 @@ void RenderOptions::parse_plan() {
     }
 }
 
+/// Words about how to draw, where something else says it.
+void RenderOptions::refuse_plan_words(const std::string& with) const {
+    for (const auto& [flag, word] :
+         {std::pair("--structure", &words_.structure), std::pair("--sampler", &words_.sampler),
+          std::pair("--refine", &words_.refine), std::pair("--refine-steps", &words_.refine_steps),
+          std::pair("--ert", &words_.ert), std::pair("--cells", &words_.cells), std::pair("--sparse", &words_.sparse),
+          std::pair("--homogeneity", &words_.homogeneity)})
+        if (*word) throw Error(Errc::bad_usage, fmt::format("{} does not go with {}.", flag, with));
+}
+
+void RenderOptions::parse_budget() {
+    error_budget_ = optional_number("--error-budget", words_.error_budget);
+    time_budget_ = optional_number("--time-budget", words_.time_budget);
+    if (error_budget_ && !(*error_budget_ >= 0)) refuse("--error-budget", *words_.error_budget, "at least 0");
+    if (time_budget_ && !(*time_budget_ > 0)) refuse("--time-budget", *words_.time_budget, "above 0");
+    if (!error_budget_ && !time_budget_) return;
+    refuse_plan_words("a budget, by which the planner picks it");
+    if (words_.plan) throw Error(Errc::bad_usage, "--plan does not go with a budget, by which the planner picks it.");
+    if (mode_ == ViewMode::shear_warp)
+        throw Error(Errc::bad_usage, "A budget does not go with --mode shear-warp, which has one plan.");
+}
+
 /// --plan replaces every word about how to draw, and brings its mode.
 void RenderOptions::parse_replayed_plan() {
     if (!words_.plan) return;
-    for (const auto& [flag, word] : {std::pair("--structure", &words_.structure), std::pair("--step", &words_.step),
-                                     std::pair("--sampler", &words_.sampler), std::pair("--refine", &words_.refine),
-                                     std::pair("--refine-steps", &words_.refine_steps), std::pair("--ert", &words_.ert),
-                                     std::pair("--cells", &words_.cells), std::pair("--sparse", &words_.sparse),
-                                     std::pair("--homogeneity", &words_.homogeneity)})
-        if (*word) throw Error(Errc::bad_usage, fmt::format("{} does not go with --plan, which says it all.", flag));
+    refuse_plan_words("--plan, which says it all");
+    if (words_.step) throw Error(Errc::bad_usage, "--step does not go with --plan, which says it all.");
     constexpr std::uintmax_t k_most_bytes = 1 << 16;
     const bool inline_json = words_.plan->starts_with("{");
     replayed_ = plan_from_json(inline_json ? *words_.plan : read_file(*words_.plan, k_most_bytes),
@@ -236,6 +257,7 @@ void RenderOptions::parse() {
     parse_camera();
     parse_plan();
     parse_replayed_plan();
+    parse_budget();
     if (words_.verify_against)
         verify_against = for_flag("--verify-against", [&] { return parse_truth(*words_.verify_against); });
     if (words_.verify_against || !verify_map.empty()) verify = true;
@@ -272,6 +294,14 @@ Scene RenderOptions::scene(const Volume& volume, const VolumeStatistics& statist
         scene.classification.ranges.push_back(std::move(kept));
     }
     return scene;
+}
+
+std::optional<Budget> RenderOptions::budget() const {
+    if (!error_budget_ && !time_budget_) return std::nullopt;
+    Budget budget{error_budget_, time_budget_};
+    if (step_) budget.step = *step_;
+    budget.frames = std::max(budget.frames, turntable_);
+    return budget;
 }
 
 Plan RenderOptions::plan(const Scene& scene) const {

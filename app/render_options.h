@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/input_options.h"
+#include "core/accuracy/planner.h"
 #include "core/accuracy/truth.h"
 #include "core/render/plan_json.h"
 #include "core/render/scene.h"
@@ -31,6 +32,8 @@ public:
     glm::ivec2 picture_size() const { return size_; }
     /// What the words ask to see of a volume. @pre parse() was called
     Scene scene(const Volume& volume, const VolumeStatistics& statistics) const;
+    /// --error-budget and --time-budget: how is the planner's choice then. @pre parse() was called
+    std::optional<Budget> budget() const;
     /// How: the default plan with what was asked for. @pre parse() was called
     Plan plan(const Scene& scene) const;
     /// OUT.png, or OUT-007.png for frame 7 of a turntable.
@@ -61,12 +64,15 @@ private:
     void parse_camera();
     void parse_plan();
     void parse_replayed_plan();
+    void parse_budget();
+    void refuse_plan_words(const std::string& with) const;
     void check_combinations() const;
     void rehearse() const;
 
     Words words_;
     ViewMode mode_ = ViewMode::ea;
-    std::optional<double> iso_, lmip_threshold_, step_, ert_, homogeneity_, homogeneity_angle_;
+    std::optional<double> iso_, lmip_threshold_, step_, error_budget_, time_budget_, ert_, homogeneity_,
+        homogeneity_angle_;
     std::optional<int> cells_, sparse_, brick_;
     std::optional<double> sparse_gradient_;
     std::optional<int> directions_;

@@ -131,6 +131,7 @@ std::vector<Candidate> candidates(const Scene& scene, double step, SweepExtent e
     Plan usual = default_plan(scene);
     usual.step = step;
     all.add({scene.mode, reference_plan(scene, usual)});
+    all.add({scene.mode, usual});  // early, for runs whose time is short
     std::vector<Candidate> refused;
     for (const auto& [structure, name] : structure_names()) {
         ModePlan base{scene.mode, usual};

@@ -101,10 +101,9 @@ std::size_t rank_of(Structure structure) {
 Chart chart_of(const SceneResult& scene, FrontError front) {
     Chart chart;
     chart.title = scene.name;
-    chart.subtitle = fmt::format(
-        "{} plans, {} {}",
-        std::count_if(scene.points.begin(), scene.points.end(), [](const auto& p) { return p.refused.empty(); }),
-        scene.rounds);
+    const auto measured =
+        std::count_if(scene.points.begin(), scene.points.end(), [](const auto& p) { return p.refused.empty(); });
+    chart.subtitle = fmt::format("{} plans, {} {}", measured, scene.rounds, scene.rounds == 1 ? "round" : "rounds");
     chart.x = {.title = title_of(front),
                .unit = front == FrontError::flip ? "" : "1/255",
                .scale = Scale::log,

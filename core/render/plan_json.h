@@ -13,7 +13,8 @@ struct ModePlan {
 };
 
 /// The plan as a JSON object on one line: {"mode", "structure", "step", "sampler", "gradient", "refine",
-/// "refine_steps", "ert", "sparse", "sparse_gradient", "cells", "directions", "voxel_gradient", "homogeneity", "homogeneity_angle", "brick", "why": [..]};
+/// "refine_steps", "ert", "sparse", "sparse_gradient", "cells", "directions", "voxel_gradient",
+/// "homogeneity", "homogeneity_angle", "brick", "why": [..]};
 /// sparse and sparse_gradient are null where every pixel is cast, brick where the volume is not cut into bricks.
 std::string to_json(const ModePlan& plan);
 
