@@ -185,6 +185,7 @@ void RenderOptions::parse_plan() {
 void RenderOptions::refuse_plan_words(const std::string& with) const {
     for (const auto& [flag, word] :
          {std::pair("--structure", &words_.structure), std::pair("--sampler", &words_.sampler),
+          std::pair("--directions", &words_.directions), std::pair("--voxel-gradient", &words_.voxel_gradient),
           std::pair("--refine", &words_.refine), std::pair("--refine-steps", &words_.refine_steps),
           std::pair("--ert", &words_.ert), std::pair("--cells", &words_.cells), std::pair("--sparse", &words_.sparse),
           std::pair("--homogeneity", &words_.homogeneity)})

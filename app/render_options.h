@@ -54,7 +54,7 @@ private:
     struct Words {
         std::optional<std::string> mode, iso, tf, window, shading, lmip_threshold, size, azimuth, elevation, roll, zoom,
             center, perspective, step, sampler, gradient, refine, refine_steps, structure, cells, brick, homogeneity,
-            sparse, ert, turntable, directions, voxel_gradient, plan, verify_against;
+            sparse, ert, turntable, directions, voxel_gradient, plan, verify_against, error_budget, time_budget;
         std::vector<std::string> ranges, cuts, effects;
     };
 

@@ -168,8 +168,7 @@ std::string difference_in_words(const ModePlan& plan, const ModePlan& reference)
     for (const auto& [key, value] : ours.items()) {
         if (key == "why" || key == "structure" || value.is_null() || (theirs.contains(key) && theirs[key] == value))
             continue;
-        const bool of_shear_warp =
-            key == "mode" || key == "sampler" || key == "directions" || key == "voxel_gradient";
+        const bool of_shear_warp = key == "mode" || key == "sampler" || key == "directions" || key == "voxel_gradient";
         if (plan.mode == ViewMode::shear_warp && !of_shear_warp) continue;  // it casts no rays
         if (key == "sparse_gradient" || (key == "refine_steps" && plan.plan.refine == Refinement::none)) continue;
         std::string name = key;

@@ -76,7 +76,7 @@ TEST(Candidates, WhatCannotServeIsARowWithItsReason) {
             return c.refused.empty() && c.plan.mode == ViewMode::shear_warp;
         });
     };
-    EXPECT_EQ(warped(candidates(perspective, 0.5, SweepExtent::quick)), 1);
+    EXPECT_EQ(warped(candidates(perspective, 0.5, SweepExtent::quick)), 2) << "bilinear and nearest";
     perspective.camera.fov_deg = 40;
     EXPECT_EQ(warped(candidates(perspective, 0.5, SweepExtent::quick)), 0) << "shear-warp is orthographic";
 }
