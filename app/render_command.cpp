@@ -124,8 +124,9 @@ int run_render(RenderOptions& options, Console& console) {
     Plan plan = engine.fitted(options.plan(scene), scene);
     if (const auto budget = options.budget()) {
         if (!volume.in_memory())
-            throw Error(Errc::unsupported,
-                        "Planning for a budget needs the whole volume in memory; raise --memory-limit or leave it out.");
+            throw Error(
+                Errc::unsupported,
+                "Planning for a budget needs the whole volume in memory; raise --memory-limit or leave it out.");
         const PlannedPlan planned = choose_plan(engine, scene, *budget, console.job("Planning"));
         plan = planned.plan;
         if (!planned.meets_budget)

@@ -188,7 +188,7 @@ void RenderOptions::refuse_plan_words(const std::string& with) const {
           std::pair("--directions", &words_.directions), std::pair("--voxel-gradient", &words_.voxel_gradient),
           std::pair("--refine", &words_.refine), std::pair("--refine-steps", &words_.refine_steps),
           std::pair("--ert", &words_.ert), std::pair("--cells", &words_.cells), std::pair("--sparse", &words_.sparse),
-          std::pair("--homogeneity", &words_.homogeneity)})
+          std::pair("--homogeneity", &words_.homogeneity), std::pair("--brick", &words_.brick)})
         if (*word) throw Error(Errc::bad_usage, fmt::format("{} does not go with {}.", flag, with));
 }
 

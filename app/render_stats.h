@@ -23,7 +23,7 @@ struct RenderRecord {
     std::string device;
     std::map<std::string, BuildRecord> build;
     std::vector<FrameRecord> frames;
-    std::optional<BrickCounts> bricks;  ///< of the last frame, where the plan has bricks
+    std::optional<BrickCounts> bricks;          ///< of the last frame, where the plan has bricks
     std::optional<ImageError> error;            ///< the worst frame's, when verified
     std::optional<SurfaceError> surface;        ///< that frame's, iso
     std::optional<ProjectionError> projection;  ///< that frame's, mip, lmip, minip in grey
