@@ -13,6 +13,7 @@ for sample in casting head; do
 done
 "$lacuna" render sample:casting@192 --mode iso --azimuth 30 --elevation 20 --zoom 1.5 --size 400x400 \
     --cut 0,1,0,0 -o docs/images/casting-cut.png
+"$lacuna" bench sample:casting --quick --chart docs/images/bench-casting.png --quiet
 
 if command -v Xvfb >/dev/null && command -v import >/dev/null; then
     Xvfb :97 -screen 0 1480x940x24 >/dev/null 2>&1 &
