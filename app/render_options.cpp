@@ -57,10 +57,13 @@ void RenderOptions::add_to(CLI::App& command) {
     word("--refine", words_.refine, "none, bisect, regula-falsi (default) or newton (iso)");
     word("--refine-steps", words_.refine_steps, "most refinement steps (default 5)");
     word("--structure", words_.structure,
-         "auto (default), none, macrocells, octree, pyramid, pc, acd, eacd or visible (shear-warp)");
+         "auto (default), none, macrocells, octree, pyramid, pc, acd, eacd, leap or visible (shear-warp)");
     word("--cells", words_.cells, "voxels a macro-cell edge of pc, acd, eacd: 4, 8 (default), 16; 1: an entry a voxel");
     word("--brick", words_.brick, "voxels a brick edge, 8 to 1024 (default: bricks only of what does not fit whole)");
-    word("--homogeneity", words_.homogeneity, "T[,A]: opacities (octree: values) and angles that count as equal");
+    word("--homogeneity", words_.homogeneity,
+         "T[,A]: opacities (octree: values; leap: share of the value range a region spans) and angles that count as "
+         "equal");
+    leap.add_to(command);
     word("--sparse", words_.sparse,
          "K[,G]: cast every K-th pixel, all where colours differ by more than G (0..1, default 0.02)");
     word("--directions", words_.directions, "regions of viewing directions of shear-warp: 6 or 24 (default)");
@@ -165,6 +168,7 @@ void RenderOptions::parse_plan() {
     }
     if (words_.voxel_gradient)
         voxel_gradient_ = for_flag("--voxel-gradient", [&] { return parse_voxel_gradient(*words_.voxel_gradient); });
+    leap.parse();
     if (words_.gradient) {
         const std::string& g = *words_.gradient;
         if (g != "central" && g != "on-the-fly" && g != "central,on-the-fly" && g != "on-the-fly,central")
@@ -264,6 +268,7 @@ Plan RenderOptions::plan(const Scene& scene) const {
     take(plan.voxel_gradient, voxel_gradient_, "--voxel-gradient");
     take(plan.homogeneity, homogeneity_, "--homogeneity");
     if (homogeneity_angle_) plan.homogeneity_angle_deg = *homogeneity_angle_;
+    leap.apply(plan);
     return plan;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/input_options.h"
+#include "app/leap_options.h"
 #include "core/render/plan.h"
 #include "core/render/scene.h"
 
@@ -16,6 +17,7 @@ namespace lacuna::cli {
 class RenderOptions {
 public:
     InputOptions input;
+    LeapWords leap;
     std::string output, stats, device;
     bool verify = false;
 

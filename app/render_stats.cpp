@@ -47,6 +47,18 @@ ordered_json view_json(const Scene& scene) {
     return view;
 }
 
+/// Null unless the plan leaps.
+ordered_json leap_json(const Plan& plan) {
+    if (plan.structure != Structure::leap) return nullptr;
+    ordered_json leap{{"kernel", std::string(name_of(plan.leap.kernel))},
+                      {"values", std::string(name_of(plan.leap.way))},
+                      {"min_voxels", plan.leap.min_voxels}};
+    if (plan.leap.way == LeapWay::groups)
+        leap["groups"] = {plan.leap.groups.probability, plan.leap.groups.relative_radius};
+    if (plan.leap.quantisation) leap["quantisation"] = {plan.leap.quantisation->lo, plan.leap.quantisation->hi};
+    return leap;
+}
+
 ordered_json plan_json(const Scene& scene, const Plan& plan) {
     return {{"mode", std::string(name_of(scene.mode))},
             {"structure", std::string(name_of(plan.structure))},
@@ -64,6 +76,7 @@ ordered_json plan_json(const Scene& scene, const Plan& plan) {
             {"homogeneity", plan.homogeneity},
             {"homogeneity_angle", plan.homogeneity_angle_deg},
             {"brick", plan.brick > 0 ? ordered_json(plan.brick) : ordered_json(nullptr)},
+            {"leap", leap_json(plan)},
             {"why", plan.why}};
 }
 

@@ -22,6 +22,7 @@ inline constexpr std::uint32_t k_most_regions = 1u << 22;
 struct ProvisionalLabels {
     std::shared_ptr<std::vector<std::uint32_t>> labels;  ///< per voxel: id, 0 or k_never
     std::vector<std::uint64_t> voxels;                   ///< per id: voxels of the region; [0] unused
+    std::vector<double> mean;  ///< per id, of its values; only where regions were grown; [0] unused
 };
 
 /// Homogeneous-region growing (Frey & Ertl 2009, section 3): every voxel without a label is, in scan order, the seed of
@@ -40,7 +41,7 @@ std::shared_ptr<std::vector<std::uint32_t>> label_components(const Volume& volum
                                                              const JobContext& job);
 
 /// Renumbers in place: final ids 1..n by descending size, ties by first voxel; regions under `min_voxels` and k_never
-/// become 0. Returns n. @throws Error(bad_usage) beyond k_most_regions
+/// become 0; means follow their regions. Returns n. @throws Error(bad_usage) beyond k_most_regions
 std::uint32_t number_by_size(ProvisionalLabels& provisional, std::int64_t min_voxels, const JobContext& job);
 
 /// The sentence for a volume that falls apart. @throws Error(bad_usage) always

@@ -223,7 +223,7 @@ void OpenClRenderer::bind(cl::Kernel& kernel, const Cast& cast, const RayParams&
                             const_cast<RayParams*>(&params));
     const bool ea = cast.scene.mode == ViewMode::ea;
     cl_uint arg = 0;
-    kernel.setArg(arg++, cast.voxels);
+    kernel.setArg(arg++, cast.structure.volume() ? cast.structure.volume : cast.voxels);
     kernel.setArg(arg++, constants_);
     kernel.setArg(arg++, cl_int(0));  // first row or tile: set for each launch
     if (ea) kernel.setArg(arg++, tables_->opacity);

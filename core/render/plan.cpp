@@ -8,13 +8,14 @@ namespace lacuna {
 
 namespace {
 
-constexpr NameTable<Structure, 8> k_structure_names{{{Structure::none, "none"},
+constexpr NameTable<Structure, 9> k_structure_names{{{Structure::none, "none"},
                                                      {Structure::macrocells, "macrocells"},
                                                      {Structure::octree, "octree"},
                                                      {Structure::pyramid, "pyramid"},
                                                      {Structure::pc, "pc"},
                                                      {Structure::acd, "acd"},
                                                      {Structure::eacd, "eacd"},
+                                                     {Structure::leap, "leap"},
                                                      {Structure::visible, "visible"}}};
 constexpr NameTable<Sampler, 2> k_sampler_names{{{Sampler::nearest, "nearest"}, {Sampler::linear, "linear"}}};
 constexpr NameTable<Refinement, 4> k_refinement_names{{{Refinement::none, "none"},
@@ -24,9 +25,42 @@ constexpr NameTable<Refinement, 4> k_refinement_names{{{Refinement::none, "none"
 constexpr NameTable<VoxelGradient, 3> k_voxel_gradient_names{
     {{VoxelGradient::central, "central"}, {VoxelGradient::sobel, "sobel"}, {VoxelGradient::gaussian, "gaussian"}}};
 
+constexpr NameTable<Leaping, 3> k_leaping_names{
+    {{Leaping::lossless, "lossless"}, {Leaping::confirmed, "confirmed"}, {Leaping::published, "published"}}};
+constexpr NameTable<LeapWay, 3> k_leap_way_names{
+    {{LeapWay::transform, "transform"}, {LeapWay::kd_tree, "kd-tree"}, {LeapWay::groups, "groups"}}};
+
 constexpr double k_min_step = 0.01, k_max_step = 100;
 constexpr int k_max_refine_steps = 64;
 constexpr int k_least_brick = 8, k_largest_brick = 1024;
+
+/// @throws Error(bad_usage) where leaping cannot serve the scene
+void check_leap(const Plan& plan, const Scene& scene) {
+    const LeapPlan& leap = plan.leap;
+    if (!(plan.homogeneity <= 1))
+        throw Error(Errc::bad_usage,
+                    "The homogeneity of leap is a share of the value range: it must lie within 0 to 1.");
+    if (!(leap.groups.probability >= 0 && leap.groups.probability <= 1) ||
+        !(leap.groups.relative_radius >= 0 && leap.groups.relative_radius <= 1))
+        throw Error(Errc::bad_usage, "Centre-voxel groups take a probability and a relative radius within 0 to 1.");
+    if (leap.min_voxels < 1) throw Error(Errc::bad_usage, "The smallest region to leap through has 1 voxel or more.");
+    if (leap.quantisation && (!(leap.quantisation->lo < leap.quantisation->hi) ||
+                              !std::isfinite(leap.quantisation->lo) || !std::isfinite(leap.quantisation->hi)))
+        throw Error(Errc::bad_usage, "The range leap is to quantise must be finite, its lower end below its upper.");
+    if (scene.volume.type() == VoxelType::f32 && !leap.quantisation)
+        throw Error(Errc::bad_usage,
+                    "The structure 'leap' keeps 15 bits a voxel and cannot serve f32 values unless the range to "
+                    "quantise is stated; none, macrocells, octree, pyramid, pc, acd and eacd can.");
+    if (leap.kernel == Leaping::lossless) return;
+    bool gradients = scene.shading != Shading::none || !scene.classification.tf.gradient_opacity.empty();
+    for (const SegmentationRange& range : scene.classification.ranges)
+        gradients = gradients || (range.tf && !range.tf->gradient_opacity.empty());
+    if (scene.mode != ViewMode::ea || gradients || plan.sampler != Sampler::linear)
+        throw Error(Errc::bad_usage,
+                    "The leaping kernel '" + std::string(name_of(leap.kernel)) +
+                        "' serves mode ea without shading and gradient opacity, sampled linearly; 'lossless' serves "
+                        "the rest.");
+}
 
 }  // namespace
 
@@ -34,8 +68,12 @@ std::string_view name_of(Structure structure) { return name_in(k_structure_names
 std::string_view name_of(Sampler sampler) { return name_in(k_sampler_names, sampler); }
 std::string_view name_of(Refinement refinement) { return name_in(k_refinement_names, refinement); }
 std::string_view name_of(VoxelGradient filter) { return name_in(k_voxel_gradient_names, filter); }
+std::string_view name_of(Leaping kernel) { return name_in(k_leaping_names, kernel); }
+std::string_view name_of(LeapWay way) { return name_in(k_leap_way_names, way); }
 Structure parse_structure(std::string_view text) { return parse_name(k_structure_names, text, "structure"); }
 Sampler parse_sampler(std::string_view text) { return parse_name(k_sampler_names, text, "sampler"); }
+Leaping parse_leaping(std::string_view text) { return parse_name(k_leaping_names, text, "leaping kernel"); }
+LeapWay parse_leap_way(std::string_view text) { return parse_name(k_leap_way_names, text, "way of leap values"); }
 Refinement parse_refinement(std::string_view text) { return parse_name(k_refinement_names, text, "refinement"); }
 VoxelGradient parse_voxel_gradient(std::string_view text) {
     return parse_name(k_voxel_gradient_names, text, "voxel gradient");
@@ -127,7 +165,9 @@ void check(const Plan& plan, const Scene& scene) {
         throw Error(Errc::bad_usage, "The structure '" + std::string(name_of(plan.structure)) +
                                          "' cannot serve the mode '" + std::string(name_of(scene.mode)) +
                                          (shear_warp ? "'; 'visible' can."
-                                                     : "'; none, macrocells, octree, pyramid, pc, acd and eacd can."));
+                                                     : "'; none, macrocells, octree, pyramid, pc, acd, eacd and "
+                                                       "leap can."));
+    if (plan.structure == Structure::leap) check_leap(plan, scene);
 }
 
 }  // namespace lacuna

@@ -4,6 +4,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/render/structure_distance.h"
+#include "core/render/structure_leap.h"
 #include "core/render/structure_macrocells.h"
 #include "core/render/structure_octree.h"
 #include "core/render/structure_pyramid.h"
@@ -14,6 +15,7 @@ StructureCache::StructureCache(std::shared_ptr<ComputeDevice> device) : device_(
     families_[Structure::macrocells] = make_macrocell_family();
     families_[Structure::octree] = make_octree_family();
     families_[Structure::pyramid] = make_pyramid_family();
+    families_[Structure::leap] = make_leap_family();
     const std::shared_ptr<StructureFamily> distances = make_distance_family();
     for (const Structure kind : {Structure::pc, Structure::acd, Structure::eacd}) families_[kind] = distances;
 }

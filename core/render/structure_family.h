@@ -21,6 +21,7 @@ struct BoundStructure {
     bool runs = false;         ///< LACUNA_RUNS: it can answer "n samples of this value"
     bool built = false;        ///< something had to be built for this frame
     std::size_t bytes = 0;     ///< held for this structure, the min-max cells it was derived from included
+    cl::Buffer volume = {};    ///< voxels to sample instead of the scene's, of the same size and type; else none
     std::string options = {};  ///< further options of the kernel variant, each with a space before it
 };
 

@@ -54,7 +54,9 @@ typedef struct {
     s_int level_nodes[LACUNA_MAX_LEVELS][2]; // nodes along x and y stored a level
     s_int top_level;                         // coarsest level worth asking; -1: none is
     s_int cell_gaps;                         // pyramid: a ray can be inside the object, so full cells can be idle too
+    // Leaping: samples a unit of a leap value, and samples to leave off; value = leap_lo + code * leap_scale.
+    s_float leap_samples, leap_margin, leap_lo, leap_scale;
 } RayParams;
-SHARED_CHECK(RayParams, 816);
+SHARED_CHECK(RayParams, 832);
 
 #endif
