@@ -104,6 +104,13 @@ int run_render(RenderOptions& options, Console& console) {
         statistics = index->statistics;
     }
     Scene scene = options.scene(volume, statistics);
+    if (options.regions.any()) {
+        if (!volume.in_memory())
+            throw Error(Errc::unsupported,
+                        "--regions and --region-tf need the whole volume in memory; raise --memory-limit or leave them "
+                        "out.");
+        scene.regions = options.regions.classes(volume, statistics, console.job("Finding regions"));
+    }
     if (volume.in_memory()) options.input.require_memory(bytes_needed(volume, scene.size), "Rendering this volume");
 
     Engine engine(open_device(options.device, console.job("Testing devices")));

@@ -64,6 +64,7 @@ void RenderOptions::add_to(CLI::App& command) {
          "T[,A]: opacities (octree: values; leap: share of the value range a region spans) and angles that count as "
          "equal");
     leap.add_to(command);
+    regions.add_to(command);
     word("--sparse", words_.sparse,
          "K[,G]: cast every K-th pixel, all where colours differ by more than G (0..1, default 0.02)");
     word("--directions", words_.directions, "regions of viewing directions of shear-warp: 6 or 24 (default)");
@@ -177,6 +178,10 @@ void RenderOptions::parse_plan() {
 }
 
 void RenderOptions::check_combinations() const {
+    if (regions.any() && mode_ == ViewMode::shear_warp)
+        throw Error(Errc::bad_usage,
+                    "--regions and --region-tf do not go with --mode shear-warp, which paints surface voxels whatever "
+                    "region they are in.");
     if (mode_ == ViewMode::shear_warp) {
         if (camera_.fov_deg)
             throw Error(Errc::bad_usage,
@@ -218,6 +223,7 @@ void RenderOptions::parse() {
     for (const std::string& text : words_.effects)
         for (Effect& effect : for_flag("--effects", [&] { return parse_effects(text); }))
             effects_.push_back(std::move(effect));
+    regions.parse();
     check_combinations();
     if (words_.tf) tf_ = parse_tf("--tf", *words_.tf);
     for (const std::string& text : words_.ranges) ranges_.push_back(parse_segmentation_range(text));

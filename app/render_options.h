@@ -8,6 +8,7 @@
 
 #include "app/input_options.h"
 #include "app/leap_options.h"
+#include "app/region_words.h"
 #include "core/render/plan.h"
 #include "core/render/scene.h"
 
@@ -18,6 +19,7 @@ class RenderOptions {
 public:
     InputOptions input;
     LeapWords leap;
+    RegionWords regions;
     std::string output, stats, device;
     bool verify = false;
 

@@ -33,9 +33,16 @@ int round_up(int n, int to) { return (n + to - 1) / to * to; }
 
 struct OpenClRenderer::Tables {
     Classification classification;
+    std::vector<TransferFunction> of_regions;
     double step_mm = 0;
     TransferTables host;
     cl::Buffer opacity, color, gradient;
+};
+
+/// The region classes of the view drawn last; keeps the bytes alive while the device reads them.
+struct OpenClRenderer::Classes {
+    std::shared_ptr<const std::vector<std::uint8_t>> of_voxel;
+    cl::Buffer buffer;
 };
 
 /// Grows to the largest picture cast, so that the two passes of sparse casting share it without allocating anew.
@@ -66,6 +73,7 @@ void OpenClRenderer::drop_caches() {
     volume_.reset();
     bricks_.reset();
     tables_.reset();
+    classes_.reset();
     output_.reset();
 }
 
@@ -89,11 +97,14 @@ void OpenClRenderer::hold_bricks(const Scene& scene, const Plan& plan) {
 }
 
 void OpenClRenderer::make_tables(const Scene& scene, double step_mm) {
-    if (tables_ && tables_->step_mm == step_mm && tables_->classification == scene.classification) return;
+    if (tables_ && tables_->step_mm == step_mm && tables_->classification == scene.classification &&
+        tables_->of_regions == scene.regions.functions)
+        return;
     auto next = std::make_unique<Tables>();
     next->classification = scene.classification;
     next->step_mm = step_mm;
-    next->host = make_transfer_tables(scene.classification, scene.volume.type(), step_mm);
+    next->of_regions = scene.regions.functions;
+    next->host = make_transfer_tables(scene.classification, scene.volume.type(), step_mm, next->of_regions);
     const TransferTables& host = next->host;
     const auto upload = [&](const auto& values) {
         return uploaded_buffer(*device_, values.data(), values.size() * sizeof(values[0]));
@@ -104,10 +115,25 @@ void OpenClRenderer::make_tables(const Scene& scene, double step_mm) {
     tables_ = std::move(next);
 }
 
+void OpenClRenderer::hold_classes(const Scene& scene) {
+    if (!scene.regions) {
+        classes_.reset();
+        return;
+    }
+    if (classes_ && classes_->of_voxel == scene.regions.of_voxel) return;
+    classes_.reset();
+    const std::vector<std::uint8_t>& bytes = *scene.regions.of_voxel;
+    classes_ =
+        std::make_unique<Classes>(Classes{scene.regions.of_voxel, device_buffer(*device_, bytes.data(), bytes.size())});
+}
+
 cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool count,
                                    bool tiles) {
     std::string source = "render/raycast_mip.cl", name = "raycast_mip", extra;
-    if (scene.mode == ViewMode::iso) {
+    const bool classes = bool(scene.regions);
+    if (structure.own_kernel) {
+        source = "render/" + *structure.own_kernel + ".cl", name = *structure.own_kernel;
+    } else if (scene.mode == ViewMode::iso) {
         source = "render/raycast_iso.cl", name = "raycast_iso";
     } else if (scene.mode == ViewMode::ea) {
         source = "render/raycast_ea.cl", name = "raycast_ea";
@@ -119,14 +145,15 @@ cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, const B
                                                                : 3;
         extra = " -DLACUNA_PROJECTION=" + std::to_string(projection);
     }
-    const std::string options = "-DLACUNA_LANES=" + std::to_string(lanes_) +
-                                " -DLACUNA_VOXEL=" + std::to_string(int(scene.volume.type())) +
-                                " -DLACUNA_SAMPLER=" + (plan.sampler == Sampler::linear ? "1" : "0") +
-                                " -DLACUNA_STRUCTURE=" + std::to_string(structure.kernel_id) +
-                                " -DLACUNA_RUNS=" + (structure.runs && scene.mode == ViewMode::ea ? "1" : "0") +
-                                " -DLACUNA_RANGES=" + (scene.classification.ranges.empty() ? "0" : "1") +
-                                " -DLACUNA_TILES=" + (tiles ? "1" : "0") + " -DLACUNA_COUNT=" + (count ? "1" : "0") +
-                                extra + structure.options + (plan.brick > 0 ? " -DLACUNA_CARRY=1" : "");
+    const bool runs = structure.runs && scene.mode == ViewMode::ea && (!classes || structure.runs_of_class);
+    const std::string options =
+        "-DLACUNA_LANES=" + std::to_string(lanes_) + " -DLACUNA_VOXEL=" + std::to_string(int(scene.volume.type())) +
+        " -DLACUNA_SAMPLER=" + (plan.sampler == Sampler::linear ? "1" : "0") +
+        " -DLACUNA_STRUCTURE=" + std::to_string(structure.kernel_id) + " -DLACUNA_RUNS=" + (runs ? "1" : "0") +
+        " -DLACUNA_CLASSES=" + (classes && !structure.own_kernel ? "1" : "0") +
+        " -DLACUNA_RANGES=" + (scene.classification.ranges.empty() ? "0" : "1") +
+        " -DLACUNA_TILES=" + (tiles ? "1" : "0") + " -DLACUNA_COUNT=" + (count ? "1" : "0") + extra +
+        structure.options + (plan.brick > 0 ? " -DLACUNA_CARRY=1" : "");
     const std::string key = name + options;
     auto found = kernels_.find(key);
     if (found == kernels_.end()) found = kernels_.emplace(key, library_.kernel(source, name, options)).first;
@@ -231,6 +258,7 @@ void OpenClRenderer::bind(cl::Kernel& kernel, const Cast& cast, const RayParams&
     kernel.setArg(arg++, output_->color);
     kernel.setArg(arg++, output_->depth);
     if (ea && cast.tables->uses_gradient) kernel.setArg(arg++, tables_->gradient);
+    if (cast.scene.regions && !cast.structure.own_kernel) kernel.setArg(arg++, classes_->buffer);
     for (const cl::Buffer& buffer : cast.structure.buffers) kernel.setArg(arg++, buffer);
     if (cast.count) kernel.setArg(arg++, output_->counters);
     if (cast.plan.brick > 0)
@@ -421,6 +449,7 @@ RenderResult OpenClRenderer::render(const Scene& scene, const Plan& plan, const 
         whole ? hold_volume(scene.volume) : hold_bricks(scene, plan);
         if (needs_tables(scene)) make_tables(scene, plan.step * scene.volume.geometry().smallest_spacing_mm());
         const TransferTables* tables = needs_tables(scene) ? &tables_->host : nullptr;
+        hold_classes(scene);
         const glm::ivec3 size = scene.volume.geometry().size;
         RayParams params = make_ray_params(scene, plan, whole ? volume_->stored_size() : size, tables);
         BoundStructure structure;  // bricks have each their own

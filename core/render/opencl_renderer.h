@@ -45,9 +45,11 @@ public:
 private:
     struct Tables;
     struct Output;
+    struct Classes;
     struct Cast;
 
     void hold_volume(const Volume& volume);
+    void hold_classes(const Scene& scene);
     void make_tables(const Scene& scene, double step_mm);
     cl::Kernel& kernel(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool count, bool tiles);
     void hold_bricks(const Scene& scene, const Plan& plan);
@@ -79,6 +81,7 @@ private:
     std::shared_ptr<const BrickIndex> index_;
     std::unique_ptr<Tables> tables_;
     std::unique_ptr<Output> output_;
+    std::unique_ptr<Classes> classes_;
     cl::Buffer constants_, whole_constants_, brick_constants_, carry_;
     int brick_band_ = 1;     ///< height of bands, in groups, that a brick's launch starts with
     cl_uint tiles_arg_ = 0;  ///< of the kernel bound last: where a tile list goes

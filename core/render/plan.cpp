@@ -52,6 +52,9 @@ void check_leap(const Plan& plan, const Scene& scene) {
                     "The structure 'leap' keeps 15 bits a voxel and cannot serve f32 values unless the range to "
                     "quantise is stated; none, macrocells, octree, pyramid, pc, acd and eacd can.");
     if (leap.kernel == Leaping::lossless) return;
+    if (scene.regions)
+        throw Error(Errc::bad_usage, "The leaping kernel '" + std::string(name_of(leap.kernel)) +
+                                         "' shows all regions alike; 'lossless' hides some or draws them its own way.");
     bool gradients = scene.shading != Shading::none || !scene.classification.tf.gradient_opacity.empty();
     for (const SegmentationRange& range : scene.classification.ranges)
         gradients = gradients || (range.tf && !range.tf->gradient_opacity.empty());
@@ -119,6 +122,10 @@ Plan default_plan(const Scene& scene) {
                             : "No structure: asking whether a cell can still win costs what it saves."};
             break;
     }
+    if (!scene.regions.functions.empty()) {
+        plan.structure = Structure::none;
+        plan.why = {"No structure: regions have transfer functions of their own; none and leap know them."};
+    }
     plan.why.push_back("Two samples a voxel, trilinear: below that, thin walls are missed.");
     plan.why.push_back("No stored gradients: they are taken where a sample shows.");
     return plan;
@@ -160,6 +167,9 @@ void check(const Plan& plan, const Scene& scene) {
         throw Error(Errc::bad_usage, "Sparse casting skips rays; shear-warp casts none. Leave one of them out.");
     if (plan.directions != 6 && plan.directions != 24)
         throw Error(Errc::bad_usage, "Shear-warp divides the viewing directions into 6 or 24 regions.");
+    if (!scene.regions.functions.empty() && plan.structure != Structure::none && plan.structure != Structure::leap)
+        throw Error(Errc::bad_usage, "The structure '" + std::string(name_of(plan.structure)) +
+                                         "' knows no transfer functions of regions; none and leap do.");
     const bool shear_warp = scene.mode == ViewMode::shear_warp;
     if (shear_warp != (plan.structure == Structure::visible))
         throw Error(Errc::bad_usage, "The structure '" + std::string(name_of(plan.structure)) +
@@ -167,6 +177,11 @@ void check(const Plan& plan, const Scene& scene) {
                                          (shear_warp ? "'; 'visible' can."
                                                      : "'; none, macrocells, octree, pyramid, pc, acd, eacd and "
                                                        "leap can."));
+    if (plan.brick > 0 && (plan.structure == Structure::leap || scene.regions))
+        throw Error(
+            Errc::bad_usage,
+            "Regions are those of the whole volume: bricks go with none, macrocells, octree, pyramid, pc, acd and "
+            "eacd, and with all regions shown.");
     if (plan.structure == Structure::leap) check_leap(plan, scene);
 }
 

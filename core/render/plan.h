@@ -54,8 +54,8 @@ struct Plan {
     VoxelGradient voxel_gradient = VoxelGradient::sobel;  ///< shear_warp, nearest: normals of the listed voxels
     int brick = 0;  ///< the volume is cut into bricks of so many voxels an edge, cast one after the other; 0: whole
     std::uint64_t brick_bytes = 0;  ///< bricks and their structures may take so much together; 0: Engine says
-    LeapPlan leap;                                        ///< structure leap only
-    std::vector<std::string> why;                         ///< one sentence a choice, and what was not built
+    LeapPlan leap;                  ///< structure leap only
+    std::vector<std::string> why;   ///< one sentence a choice, and what was not built
 };
 
 std::string_view name_of(Structure structure);

@@ -49,6 +49,7 @@ void put_cuts(RayParams& p, const Scene& scene, const GridGeometry& grid) {
 
 void put_tables(RayParams& p, const TransferTables& tables) {
     p.lut_size = tables.entries;
+    p.row_count = int(tables.rows()) - 1;
     for (std::size_t r = 0; r < tables.rows(); ++r) {
         p.lut_scale[r] = tables.scale[r];
         p.lut_lo[r] = tables.lo[r];

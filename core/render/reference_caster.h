@@ -56,7 +56,7 @@ private:
     template <class Visit>
     void for_each_counted(const LatticeRay& ray, Visit&& visit) {
         for (std::int64_t k = ray.first; k < ray.end; ++k) {
-            const double t = ray.sample_t(k), value = sample(ray, t);
+            const double t = ray.sample_t(k), value = seen(ray, t);
             ++counters.samples;
             if (std::isnan(value) || !(no_ranges_ || scene_.classification.in_ranges(value))) continue;
             if (!visit(t, value)) return;
@@ -66,6 +66,29 @@ private:
     double sample(const LatticeRay& ray, double t) const {
         const glm::dvec3 p = ray.at(t);
         return nearest_ ? field_.nearest(p) : field_.linear(p);
+    }
+    /// The class of the voxel nearest to a point on the ray.
+    std::uint8_t class_at(const LatticeRay& ray, double t) const {
+        if (!scene_.regions) return 0;
+        const GridGeometry& grid = scene_.volume.geometry();
+        const glm::ivec3 i(glm::clamp(ray.at(t), glm::dvec3(0), glm::dvec3(grid.size - 1)) + 0.5);
+        return (*scene_.regions.of_voxel)[std::size_t(grid.linear_index(i.x, i.y, i.z))];
+    }
+    /// A sample as the view counts it: NaN where its voxel is hidden.
+    double seen(const LatticeRay& ray, double t) const {
+        return class_at(ray, t) == RegionClasses::k_hidden ? std::numeric_limits<double>::quiet_NaN() : sample(ray, t);
+    }
+    /// The function of a value: its region's, its range's, or the scene's.
+    const TransferFunction& function_of(const LatticeRay& ray, double t, double value) const {
+        if (const std::uint8_t c = class_at(ray, t); c > 0 && c < RegionClasses::k_hidden)
+            return scene_.regions.functions[std::size_t(c) - 1];
+        const Classification& classes = scene_.classification;
+        const int range = classes.range_of(value);
+        return range >= 0 && classes.ranges[std::size_t(range)].tf ? *classes.ranges[std::size_t(range)].tf
+                                                                   : classes.tf;
+    }
+    ColorOpacity classified(const LatticeRay& ray, double t, double value) const {
+        return scene_.classification.in_ranges(value) ? function_of(ray, t, value).at(value) : ColorOpacity{};
     }
     double inside(double value) const {
         return no_ranges_ ? value - scene_.iso : iso_measure(scene_.classification, scene_.iso, value);
@@ -108,7 +131,7 @@ private:
 template <class T>
 Pixel Caster<T>::iso(const LatticeRay& ray) {
     double lower = ray.from;
-    const double entry_value = sample(ray, lower);
+    const double entry_value = seen(ray, lower);
     double g_lower = inside(entry_value);
     bool in_object = g_lower >= 0;
     if (in_object && !ray.entry_by_cut)
@@ -116,7 +139,7 @@ Pixel Caster<T>::iso(const LatticeRay& ray) {
     if (in_object && ray.entry_capped) return cap(ray, entry_value);
 
     for (std::int64_t k = ray.first; k < ray.end; ++k) {
-        const double t = ray.sample_t(k), g = inside_at(ray, t);
+        const double t = ray.sample_t(k), g = inside(seen(ray, t));
         ++counters.samples;
         if (std::isnan(g)) {
             in_object = false;
@@ -194,23 +217,21 @@ double Caster<T>::newton(const LatticeRay& ray, double a, double g_a, double b, 
 
 template <class T>
 Pixel Caster<T>::emission_absorption(const LatticeRay& ray) {
-    const Classification& classes = scene_.classification;
     if (ray.entry_by_cut && ray.entry_capped) {
-        const double value = sample(ray, ray.from);
-        if (classes.at(value).opacity > 0) return cap(ray, value);
+        const double value = seen(ray, ray.from);
+        if (!std::isnan(value) && classified(ray, ray.from, value).opacity > 0) return cap(ray, value);
     }
     glm::dvec3 color(0);
     double alpha = 0, depth = k_nothing;
     for (std::int64_t k = ray.first; k < ray.end; ++k) {
-        const double t = ray.sample_t(k), value = sample(ray, t);
+        const double t = ray.sample_t(k), value = seen(ray, t);
         ++counters.samples;
         if (std::isnan(value)) continue;
-        const ColorOpacity seen = classes.at(value);
-        if (!(seen.opacity > 0)) continue;
-        const int range = classes.range_of(value);
-        const TransferFunction& tf = range >= 0 && classes.ranges[range].tf ? *classes.ranges[range].tf : classes.tf;
+        const ColorOpacity shown = classified(ray, t, value);
+        if (!(shown.opacity > 0)) continue;
+        const TransferFunction& tf = function_of(ray, t, value);
 
-        double opacity = seen.opacity, c = 0;
+        double opacity = shown.opacity, c = 0;
         if (scene_.shading != Shading::none || !tf.gradient_opacity.empty()) {
             const glm::dvec3 gradient = field_.gradient(ray.at(t));
             const double length = glm::length(gradient);
@@ -218,7 +239,7 @@ Pixel Caster<T>::emission_absorption(const LatticeRay& ray) {
             c = facing(ray, gradient);
         }
         const double a = correct_opacity(opacity, ray.step_mm, tf.unit_distance_mm);
-        color += (1 - alpha) * a * shade(scene_.shading, seen.color, c);
+        color += (1 - alpha) * a * shade(scene_.shading, shown.color, c);
         alpha += (1 - alpha) * a;
         if (alpha > 0.5 && depth == k_nothing) depth = t;
         if (plan_.ert > 0 && alpha > 1 - plan_.ert) break;

@@ -67,6 +67,26 @@ void check_classification(const Scene& scene) {
     }
 }
 
+void check_regions(const Scene& scene) {
+    const RegionClasses& regions = scene.regions;
+    if (!regions) {
+        if (!regions.functions.empty()) refuse("Transfer functions of regions need the regions' voxels.");
+        return;
+    }
+    if (std::int64_t(regions.of_voxel->size()) != scene.volume.geometry().voxel_count())
+        refuse("The region classes must hold one byte for each voxel of the volume.");
+    if (regions.functions.size() + scene.classification.ranges.size() > RegionClasses::k_max_functions)
+        refuse("A scene takes at most " + std::to_string(RegionClasses::k_max_functions) +
+               " segmentation ranges and transfer functions of regions together.");
+    if (scene.mode == ViewMode::shear_warp)
+        refuse(
+            "Shear-warp paints surface voxels, whatever region they are in; use mode iso, ea, mip, lmip, minip or mean "
+            "to show or hide regions.");
+    if (!regions.functions.empty() && scene.mode != ViewMode::ea)
+        refuse("Regions have transfer functions of their own in mode ea alone.");
+    for (const TransferFunction& tf : regions.functions) check(tf);
+}
+
 void check_camera(const Scene& scene) {
     const Camera& camera = scene.camera;
     if (!std::isfinite(camera.azimuth_deg) || !std::isfinite(camera.elevation_deg) || !std::isfinite(camera.roll_deg))
@@ -115,6 +135,7 @@ void check(const Scene& scene) {
     check_camera(scene);
     check_cuts(scene.cuts);
     check_classification(scene);
+    check_regions(scene);
     if (!std::isfinite(scene.iso)) refuse("The isovalue must be a finite number.");
     if (!std::isfinite(scene.lmip_threshold)) refuse("The LMIP threshold must be a finite number.");
     if (!(scene.window.lo < scene.window.hi) || !std::isfinite(scene.window.width()))

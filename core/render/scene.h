@@ -32,6 +32,17 @@ struct Highlight {
     double opacity = 0.75;
 };
 
+/// What a view makes of the voxels by the homogeneous regions they lie in (core/render/region_view.h makes it).
+struct RegionClasses {
+    static constexpr std::uint8_t k_hidden = 255;
+    static constexpr std::size_t k_max_functions = 8;
+    /// A byte a voxel, x fastest: 0 as the classification says, k_hidden not seen, 1 + i drawn by functions[i].
+    /// Null: all 0.
+    std::shared_ptr<const std::vector<std::uint8_t>> of_voxel;
+    std::vector<TransferFunction> functions;  ///< EA only
+    explicit operator bool() const { return of_voxel != nullptr; }
+};
+
 /// What is to be seen: plain values, no word of how. The lattice every renderer samples: a ray's sample k (from 0) lies
 /// (k + 1/2) steps behind the ray's entry into the box of voxel cells ([-1/2, n-1/2] in voxel coordinates; a ray that
 /// starts inside the box enters at its origin), n = max(0, ceil(length / step - 1/2)) samples in all;
@@ -54,6 +65,11 @@ struct Highlight {
 ///   infinity for mean. lmip: the first local maximum at or above lmip_threshold along the counted samples (a sample
 ///   not smaller than the threshold whose counted successor is smaller, or that is the last); the largest sample where
 ///   none reaches the threshold.
+/// regions: a sample is of the class of the voxel nearest to its clamped position (halves round up). One of a hidden
+///   voxel, whatever else lies around it, is NaN as above: it contributes nothing, is not counted, ends nothing, and to
+///   an iso ray is outside. One of a class with a function of its own takes colour and opacity from that, where the
+///   segmentation ranges let its value through. Reconstruction, gradients and refinement read all voxels, hidden or
+///   not.
 /// shear_warp: the iso surface by shear-warp of its visible voxels (Csebfalvi et al. 1999), see shear_warp.h;
 ///   orthographic only.
 /// Headlight shading, two-sided: with c = |n.v|, lambert gives colour * (0.2 + 0.8 c), phong
@@ -73,9 +89,10 @@ struct Scene {
     ValueRange window{0, 255};  ///< grey levels of caps and of the MIP family: lo black, hi white
     bool color_by_tf = false;   ///< MIP family: the transfer function's colour instead of grey
     double lmip_threshold = 0;
+    RegionClasses regions;  ///< what is shown of homogeneous regions, and how
     std::vector<Highlight> highlights;
     glm::dvec3 background{0.0};
-    std::vector<Effect> effects;                    ///< applied to the finished frame in this order, before highlights
+    std::vector<Effect> effects;  ///< applied to the finished frame in this order, before highlights
 
     static constexpr std::size_t k_max_cuts = 8;
 };

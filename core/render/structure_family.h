@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,11 +19,13 @@ struct BoundStructure {
     int kernel_id = 0;  ///< LACUNA_STRUCTURE of the kernel variant that traverses it
     /// Its arguments, in the order of STRUCTURE_ARGS in its kernels/include/skip_*.clh.
     std::vector<cl::Buffer> buffers = {};
-    bool runs = false;         ///< LACUNA_RUNS: it can answer "n samples of this value"
-    bool built = false;        ///< something had to be built for this frame
-    std::size_t bytes = 0;     ///< held for this structure, the min-max cells it was derived from included
-    cl::Buffer volume = {};    ///< voxels to sample instead of the scene's, of the same size and type; else none
-    std::string options = {};  ///< further options of the kernel variant, each with a space before it
+    bool runs = false;       ///< LACUNA_RUNS: it can answer "n samples of this value"
+    bool built = false;      ///< something had to be built for this frame
+    std::size_t bytes = 0;   ///< held for this structure, the min-max cells it was derived from included
+    cl::Buffer volume = {};  ///< voxels to sample instead of the scene's, of the same size and type; else none
+    std::optional<std::string> own_kernel = {};  ///< a kernel of its own instead of the mode's: file and function
+    std::string options = {};                    ///< further options of the kernel variant, each with a space before it
+    bool runs_of_class = false;                  ///< its runs also have one region class (scene.h)
 };
 
 /// What visibility of values means depends on the mode: opacity (EA), inside (iso), or the ranges alone (MIP family).

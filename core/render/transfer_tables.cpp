@@ -37,15 +37,19 @@ void add_row(TransferTables& tables, const TransferFunction& tf, double step_mm)
 
 }  // namespace
 
-TransferTables make_transfer_tables(const Classification& classification, VoxelType type, double step_mm) {
+TransferTables make_transfer_tables(const Classification& classification, VoxelType type, double step_mm,
+                                    const std::vector<TransferFunction>& of_regions) {
     TransferTables tables;
     // Fine enough that rounding to an entry stays below half a value for 8 bits, about a value for 16.
     tables.entries = size_of(type) == 1 ? 4096 : 16384;
     tables.uses_gradient = !classification.tf.gradient_opacity.empty();
     for (const SegmentationRange& r : classification.ranges)
         tables.uses_gradient = tables.uses_gradient || (r.tf && !r.tf->gradient_opacity.empty());
+    for (const TransferFunction& tf : of_regions)
+        tables.uses_gradient = tables.uses_gradient || !tf.gradient_opacity.empty();
     add_row(tables, classification.tf, step_mm);
     for (const SegmentationRange& r : classification.ranges) add_row(tables, r.tf ? *r.tf : classification.tf, step_mm);
+    for (const TransferFunction& tf : of_regions) add_row(tables, tf, step_mm);
     return tables;
 }
 

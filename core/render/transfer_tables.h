@@ -9,8 +9,9 @@
 namespace lacuna {
 
 /// Transfer functions as the kernels read them: rows of `entries` values; row 0 is the classification's own function,
-/// row 1+i that of its range i (the same function where the range has none of its own). A value's entry is
-/// round((value - lo)*scale), clamped: tables cover the points of their function, beyond which it is constant.
+/// row 1+i that of its range i (the same function where the range has none of its own), then those of regions. A
+/// value's entry is round((value - lo)*scale), clamped: tables cover the points of their function, beyond which it is
+/// constant.
 struct TransferTables {
     int entries = 0;
     std::vector<float> opacity;          ///< of one step, opacity-corrected; with gradient opacity per unit distance
@@ -25,6 +26,8 @@ struct TransferTables {
 };
 
 /// @param step_mm  distance between samples, for the opacity correction
-TransferTables make_transfer_tables(const Classification& classification, VoxelType type, double step_mm);
+/// @param of_regions  functions of region classes
+TransferTables make_transfer_tables(const Classification& classification, VoxelType type, double step_mm,
+                                    const std::vector<TransferFunction>& of_regions = {});
 
 }  // namespace lacuna

@@ -23,7 +23,7 @@ typedef struct {
 /// Opacity of one step from that per unit distance and the gradient's factor: 1-(1-a f)^(step/unit).
 INLINE VF faded(constant RayParams* p, global const float* factors, VF opacity, VF magnitude, VI row) {
     VF scale = (VF)(p->grad_scale[0]), exponent = (VF)(p->exponent[0]);
-    for (int i = 1; i <= p->range_count; ++i) {
+    for (int i = 1; i <= p->row_count; ++i) {
         VI mine = MASK(row == (VI)(i));
         scale = mine ? (VF)(p->grad_scale[i]) : scale;
         exponent = mine ? (VF)(p->exponent[i]) : exponent;
@@ -49,10 +49,13 @@ INLINE VF faded(constant RayParams* p, global const float* factors, VF opacity, 
 /// 2006). The gradient inside is that at the run's first sample with LACUNA_RUN_GRADIENT, else zero. A lane takes part with those of its own samples that lie in the run, and stops,
 /// as sample by sample, at the first one behind which it is opaque enough.
 INLINE void add_run(constant RayParams* p, global const float* lut_opacity, global const uint* lut_color, const Rays* r,
-                    int k, int count, VF value, VF magnitude, VF cosine, VF floor_t, VF3* c, VF* clear,
+                    int k, int count, VF value, VI class_row, VF magnitude, VF cosine, VF floor_t, VF3* c, VF* clear,
                     VF* depth RUN_GRADIENT_ARG) {
     const VF zero = (VF)(0.0f);
     VI row, inside = in_ranges(p, value, &row);
+#if LACUNA_CLASSES
+    row = MASK(class_row != (VI)(0)) ? class_row : row;
+#endif
     VI entry = lut_index(p, value, row);
     VF opacity = gather_float(lut_opacity, entry);
 #if LACUNA_GRADIENT_OPACITY
@@ -85,7 +88,7 @@ INLINE void add_run(constant RayParams* p, global const float* lut_opacity, glob
 kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                        global const float* restrict lut_opacity, global const uint* restrict lut_color,
                        global float4* restrict out_color, global float* restrict out_depth
-                       GRADIENT_ARGS STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
+                       GRADIENT_ARGS CLASS_ARGS STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
     const int x0 = PIXEL_X0, y0 = PIXEL_Y0;
     if (x0 >= p->out_stride || y0 >= p->height) return;
     Rays r = CAST_RAYS(p, x0, y0);
@@ -107,8 +110,10 @@ kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams
 
     VI capped = keeps_length(&r) & ENTERS_HERE(&r) & MASK(r.entry == (VI)(ENTRY_CAP));
     if (any_lane(capped)) {
-        VF value = sample_volume(volume, p, ray_at(&r, r.enter));
+        VF3 at = ray_at(&r, r.enter);
+        VF value = SEEN(sample_volume(volume, p, at), at);
         VI row, inside = in_ranges(p, value, &row);
+        row = CLASS_ROW(row, at);
         VI shown = capped & inside & MASK(gather_float(lut_opacity, lut_index(p, value, row)) > zero);
         VF grey = grey_of(p, value);
         c.x = shown ? grey : c.x;
@@ -133,7 +138,8 @@ kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams
 #if LACUNA_RUN_GRADIENT
             cosine = facing(p, &r, gradient(volume, p, ray_at(&r, (VF)((float)k))), &magnitude);
 #endif
-            add_run(p, lut_opacity, lut_color, &r, k, min(skip.run, end - k), skip.run_value, magnitude, cosine, floor_t,
+            add_run(p, lut_opacity, lut_color, &r, k, min(skip.run, end - k), skip.run_value,
+                    CLASS_ROW((VI)(0), ray_at(&r, (VF)((float)k))), magnitude, cosine, floor_t,
                     &c, &clear, &depth RUN_GRADIENT);
             COUNT(skipped += sum_lanes(counted(live) * max_of_int(min_of_int((VI)(k + skip.run), r.end) - max_of_int((VI)(k), r.first), (VI)(0)));)
             k += skip.run;
@@ -142,9 +148,11 @@ kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams
 #endif
         for (; k < skip.until; ++k) {
             VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & MASK(clear >= floor_t) & MASK(clear > zero);
-            VF value = sample_volume(volume, p, ray_at(&r, (VF)((float)k)));
+            VF3 at = ray_at(&r, (VF)((float)k));
+            VF value = SEEN(sample_volume(volume, p, at), at);
             COUNT(samples += sum_lanes(counted(here));)
             VI row, inside = in_ranges(p, value, &row);
+            row = CLASS_ROW(row, at);
             VI entry = lut_index(p, value, row);
             VF opacity = gather_float(lut_opacity, entry);
             VI shown = here & inside & MASK(opacity > zero);

@@ -13,8 +13,12 @@
 typedef struct {
     VI inside;     // lanes that came in through an open cut and have not left the object yet
 } Idle;
+#if LACUNA_CLASSES   /* a hidden voxel ends the object: rays inside it take every sample */
+#define IS_IDLE(state, cell_class, structure, cell) (MASK((cell_class) == (VI)(CELL_NONE)) & ~(state)->inside)
+#else
 #define IS_IDLE(state, cell_class, structure, cell) \
     MASK((cell_class) == ((state)->inside ? (VI)(CELL_ALL) : (VI)(CELL_NONE)))
+#endif
 #include "include/skip.clh"
 
 INLINE VF measure_at(global const voxel_t* volume, constant RayParams* p, const Rays* r, VF k) {
@@ -61,7 +65,7 @@ INLINE VF refine_hit(global const voxel_t* volume, constant RayParams* p, const 
 
 kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                         global float4* restrict out_color, global float* restrict out_depth
-                        STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
+                        CLASS_ARGS STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
     const int x0 = PIXEL_X0, y0 = PIXEL_Y0;
     if (x0 >= p->out_stride || y0 >= p->height) return;
     Rays r = CAST_RAYS(p, x0, y0);
@@ -71,7 +75,8 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
     COUNT(uint samples = 0; uint skipped = 0; uint reads = 0;)
 
     // The entry itself: inside the object there, the ray hits the volume's side or the cap, or goes on (open cut).
-    VF entry_value = sample_volume(volume, p, ray_at(&r, r.enter));
+    VF3 entry_at = ray_at(&r, r.enter);
+    VF entry_value = SEEN(sample_volume(volume, p, entry_at), entry_at);
     VI starts_inside = kept & ENTERS_HERE(&r) & MASK(iso_measure(p, entry_value) >= zero);
     VI face_hit = starts_inside & MASK(r.entry != (VI)(ENTRY_OPEN));
     Idle state = {starts_inside & ~face_hit};
@@ -96,7 +101,8 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
         k = skip.next;
         for (; k < skip.until; ++k) {
             VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & ~done;
-            VF g = measure_at(volume, p, &r, (VF)((float)k));
+            VF3 sample_at = ray_at(&r, (VF)((float)k));
+            VF g = SEEN(iso_measure(p, sample_volume(volume, p, sample_at)), sample_at);
             COUNT(samples += sum_lanes(counted(here));)
             VI turned = here & ((state.inside & MASK(g < zero)) | (~state.inside & MASK(g >= zero)));
             state.inside &= ~(here & MASK(g != g));   // after a NaN the ray counts as outside
@@ -115,7 +121,8 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
         VF a = max_of(b - 1.0f, r.enter);
         VF ga = measure_at(volume, p, &r, a), gb = measure_at(volume, p, &r, b);
         VF estimate = p->refine == 0 ? b : refine_hit(volume, p, &r, a, b, ga, gb);
-        at = surface_hit ? (MASK(ga == ga) ? estimate : b) : at;   // no bracket behind a NaN sample
+        VF before = SEEN(ga, ray_at(&r, a));
+        at = surface_hit ? (MASK(before == before) ? estimate : b) : at;   // no bracket behind a NaN sample
     }
     if (any_lane(any_hit)) {
         VF magnitude, cosine = facing(p, &r, gradient(volume, p, ray_at(&r, at)), &magnitude);

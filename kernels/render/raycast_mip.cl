@@ -39,7 +39,7 @@ INLINE VI lmip_cannot_win(const Idle* state, VF largest) {
 kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                         global const uint* restrict lut_color,
                         global float4* restrict out_color, global float* restrict out_depth
-                        STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
+                        CLASS_ARGS STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
     const int x0 = PIXEL_X0, y0 = PIXEL_Y0;
     if (x0 >= p->out_stride || y0 >= p->height) return;
     Rays r = CAST_RAYS(p, x0, y0);
@@ -77,7 +77,8 @@ kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParam
         k = skip.next;
         for (; k < skip.until; ++k) {
             VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & ~done;
-            VF value = sample_volume(volume, p, ray_at(&r, (VF)((float)k)));
+            VF3 at = ray_at(&r, (VF)((float)k));
+            VF value = SEEN(sample_volume(volume, p, at), at);
             COUNT(samples += sum_lanes(counted(here));)
             VI row, counts = here & in_ranges(p, value, &row);
 #if LACUNA_PROJECTION == MEAN

@@ -55,8 +55,9 @@ typedef struct {
     s_int top_level;                         // coarsest level worth asking; -1: none is
     s_int cell_gaps;                         // pyramid: a ray can be inside the object, so full cells can be idle too
     // Leaping: samples a unit of a leap value, and samples to leave off; value = leap_lo + code * leap_scale.
+    s_int row_count;                         // transfer-function rows beyond the first: ranges, then region classes
     s_float leap_samples, leap_margin, leap_lo, leap_scale;
 } RayParams;
-SHARED_CHECK(RayParams, 832);
+SHARED_CHECK(RayParams, 836);
 
 #endif

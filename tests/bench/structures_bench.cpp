@@ -62,7 +62,7 @@ struct Row {
 
 void run(const BenchScene& bench, OpenClRenderer& renderer, int views, int rounds) {
     const Structure structures[] = {Structure::none, Structure::macrocells, Structure::octree, Structure::pyramid,
-                                    Structure::pc,   Structure::acd,        Structure::eacd};
+                                    Structure::pc,   Structure::acd,        Structure::eacd,   Structure::leap};
     std::map<Structure, Row> rows;
     for (int round = -1; round < rounds; ++round)  // round -1 builds, compiles and compares
         for (int view = 0; view < (round < 0 ? 1 : views); ++view) {
