@@ -17,10 +17,10 @@ void LeapWords::add_to(CLI::App& command) {
 }
 
 void LeapWords::parse() {
-    if (kernel_word_) leap_.kernel = parse_leaping(*kernel_word_);
+    if (kernel_word_) leap_.kernel = for_flag("--leaping", [&] { return parse_leaping(*kernel_word_); });
     if (values_word_) {
         const std::size_t comma = values_word_->find(',');
-        leap_.way = parse_leap_way(values_word_->substr(0, comma));
+        leap_.way = for_flag("--leap-values", [&] { return parse_leap_way(values_word_->substr(0, comma)); });
         if (comma != std::string::npos) {
             if (leap_.way != LeapWay::groups)
                 refuse("--leap-values", *values_word_, "transform, kd-tree or groups,P,R");

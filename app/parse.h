@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/volume/statistics.h"
 #include "core/volume/volume.h"
 
@@ -35,5 +36,16 @@ std::array<RangeEnd, 2> parse_word_range(std::string_view flag, std::string_view
 
 /// @throws always: Error(bad_usage) "FLAG: TEXT is not WANTED."
 [[noreturn]] void refuse(std::string_view flag, std::string_view text, std::string_view wanted);
+
+/// Runs a reader of core and puts the flag's name before its complaint.
+template <class Read>
+auto for_flag(const std::string& flag, Read&& read) {
+    try {
+        return read();
+    } catch (const Error& error) {
+        if (error.code() != Errc::bad_usage) throw;
+        throw Error(Errc::bad_usage, flag + ": " + error.what());
+    }
+}
 
 }  // namespace lacuna::cli

@@ -29,7 +29,7 @@ void RegionWords::add_to(CLI::App& command) {
 }
 
 void RegionWords::parse() {
-    if (view_word_) view_ = parse_region_view(*view_word_);
+    if (view_word_) view_ = for_flag("--regions", [&] { return parse_region_view(*view_word_); });
     options_.range_width = k_range_width;
     options_.min_voxels = k_min_voxels;
     if (range_width_word_) options_.range_width = parse_number("--range-width", *range_width_word_);

@@ -19,7 +19,7 @@ public:
     /// @throws Error(bad_usage), and those of transfer-function files
     void parse();
     bool any() const { return view_ != RegionView::show || !functions_.empty(); }
-    RegionView view() const { return view_; }
+    bool functions() const { return !functions_.empty(); }
     /// Finds the regions of a volume. @pre parse() was called
     RegionClasses classes(const Volume& volume, const VolumeStatistics& statistics, const JobContext& job) const;
 

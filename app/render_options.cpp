@@ -10,17 +10,6 @@ namespace lacuna::cli {
 
 namespace {
 
-/// Runs a reader of core and puts the flag's name before its complaint.
-template <class Read>
-auto for_flag(const std::string& flag, Read&& read) {
-    try {
-        return read();
-    } catch (const Error& error) {
-        if (error.code() != Errc::bad_usage) throw;
-        throw Error(Errc::bad_usage, flag + ": " + error.what());
-    }
-}
-
 std::optional<double> optional_number(const std::string& flag, const std::optional<std::string>& text) {
     return text ? std::optional(parse_number(flag, *text)) : std::nullopt;
 }
@@ -178,6 +167,8 @@ void RenderOptions::parse_plan() {
 }
 
 void RenderOptions::check_combinations() const {
+    if (regions.functions() && mode_ != ViewMode::ea)
+        throw Error(Errc::bad_usage, "--region-tf goes with --mode ea alone.");
     if (regions.any() && mode_ == ViewMode::shear_warp)
         throw Error(Errc::bad_usage,
                     "--regions and --region-tf do not go with --mode shear-warp, which paints surface voxels whatever "

@@ -69,7 +69,11 @@ INSTANTIATE_TEST_SUITE_P(
                       BadWord{"--gradient", "sobel"}, BadWord{"--refine", "magic"}, BadWord{"--refine-steps", "2.5"},
                       BadWord{"--structure", "hedge"}, BadWord{"--ert", "1"}, BadWord{"--ert", "-0.1"},
                       BadWord{"--turntable", "0"}, BadWord{"--mode", "xray"}, BadWord{"--shading", "gouraud"},
-                      BadWord{"--window", "5"}, BadWord{"--tf", "preset:rainbow"}, BadWord{"--memory-limit", "lots"}));
+                      BadWord{"--window", "5"}, BadWord{"--tf", "preset:rainbow"}, BadWord{"--memory-limit", "lots"},
+                      BadWord{"--leaping", "jump"}, BadWord{"--leap-values", "hedges"},
+                      BadWord{"--leap-values", "groups,2,0.5"}, BadWord{"--leap-quantise", "5,1"},
+                      BadWord{"--leap-min-voxels", "0"}, BadWord{"--regions", "some"}, BadWord{"--range-width", "1.5"},
+                      BadWord{"--region-tf", "1"}, BadWord{"--region-tf", "0:preset:bone"}));
 
 class BadRegionWords : public ProgramTest, public ::testing::WithParamInterface<BadWord> {};
 
@@ -96,6 +100,14 @@ TEST_F(Usage, FlagsThatDoNotGoTogether) {
     expect_failure(lacuna({"render", "sample:head@16", "-o", out, "--mode", "shear-warp", "--verify"}), 2, "--verify");
     expect_failure(lacuna({"render", "sample:head@16", "-o", out, "--mode", "ea", "--structure", "visible"}), 2,
                    "visible");
+    expect_failure(lacuna({"render", "sample:head@16", "-o", out, "--mode", "shear-warp", "--regions", "hide"}), 2,
+                   "--regions");
+    expect_failure(lacuna({"render", "sample:head@16", "-o", out, "--range-width", "0.1"}), 2, "--regions");
+    expect_failure(lacuna({"render", "sample:head@16", "-o", out, "--structure", "leap", "--homogeneity", "2"}), 2,
+                   "share");
+    expect_failure(lacuna({"render", "sample:marschner-lobb@16", "-o", out, "--structure", "leap"}), 2, "macrocells");
+    expect_failure(lacuna({"render", "sample:head@16", "-o", out, "--structure", "leap", "--leaping", "published"}), 2,
+                   "lossless");
     expect_failure(lacuna({"regions", "sample:head@16", "--threshold", "0,1", "--range-width", "0.1"}), 2,
                    "--threshold");
     expect_failure(lacuna({"render", "sample:head@16", "-o", path("a.jpg")}), 2, "a.jpg");
