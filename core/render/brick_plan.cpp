@@ -93,6 +93,11 @@ Plan with_bricks(const Plan& plan, const Scene& scene, const MemoryBudget& budge
     Plan out = plan;
     const bool asked = plan.brick > 0;
     if (!asked && fits_whole(scene, budget)) return out;
+    if (plan.structure == Structure::leap || scene.regions)
+        throw Error(
+            Errc::unsupported,
+            "Regions are those of the whole volume, and this one does not fit whole: raise --memory-limit, or take "
+            "another structure than leap and show all regions.");
     const std::uint64_t fixed = fixed_bytes(scene, budget);
     std::uint64_t left = budget.total > fixed ? budget.total - fixed : 0;
     if (budget.device_total) left = std::min(left, budget.device_total / 4 * 3);
