@@ -9,11 +9,10 @@
 
 namespace lacuna {
 
-void write_png(const std::filesystem::path& target, glm::ivec2 size, std::span<const std::uint8_t> rgb) {
+std::string encode_png(glm::ivec2 size, std::span<const std::uint8_t> rgb) {
     if (size.x < 1 || size.y < 1 || rgb.size() != std::size_t(size.x) * std::size_t(size.y) * 3)
-        throw Error(Errc::bad_input, "Cannot write " + target.string() + ": " + std::to_string(rgb.size()) +
-                                         " bytes are no picture of " + std::to_string(size.x) + "x" +
-                                         std::to_string(size.y) + " RGB pixels.");
+        throw Error(Errc::bad_input, std::to_string(rgb.size()) + " bytes are no picture of " +
+                                         std::to_string(size.x) + "x" + std::to_string(size.y) + " RGB pixels.");
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     image.width = png_uint_32(size.x);
@@ -22,9 +21,13 @@ void write_png(const std::filesystem::path& target, glm::ivec2 size, std::span<c
     png_alloc_size_t bytes = PNG_IMAGE_PNG_SIZE_MAX(image);
     std::string png(bytes, '\0');
     if (!png_image_write_to_memory(&image, png.data(), &bytes, 0, rgb.data(), 0, nullptr))
-        throw Error(Errc::io, "Cannot write " + target.string() + ": " + image.message + ".");
+        throw Error(Errc::out_of_memory, std::string("A picture could not be compressed: ") + image.message + ".");
     png.resize(bytes);
-    write_file(target, png);
+    return png;
+}
+
+void write_png(const std::filesystem::path& target, glm::ivec2 size, std::span<const std::uint8_t> rgb) {
+    write_file(target, encode_png(size, rgb));
 }
 
 }  // namespace lacuna

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/inspect/report.h"
+
+// What more than one of the report's files says, in one place.
+namespace lacuna {
+
+/// Shortest digits that read back the same, dot decimals in every locale; empty for NaN and infinity.
+std::string exact_number(double value);
+/// "12.3", four significant digits; "none" for infinity, "not measurable" for NaN.
+std::string short_number(double value);
+/// "12.3 [11.9, 12.8]".
+std::string short_interval(const Measured& value);
+/// A field of a CSV line, quoted where it must be.
+std::string csv_field(std::string_view text);
+
+struct Fact {
+    std::string name, value;
+};
+std::vector<Fact> scan_facts(const InspectionReport& report);
+std::vector<Fact> part_facts(const InspectionReport& report);
+
+}  // namespace lacuna
