@@ -85,7 +85,8 @@ int run(int argc, char** argv) {
         "Example: lacuna render sample:casting@192 --mode iso -o casting.png\n"
         "INPUT is a DICOM folder or file, .mhd .mha .nrrd .nhdr .nii .nii.gz, a TIFF stack, a raw file, or\n"
         "sample:NAME[@SIZE] with NAME one of casting, head, vessels, spheres, marschner-lobb.\n"
-        "Exit status: 0 done, 1 could not be done, 2 wrong words in the call, 130 interrupted.");
+        "Exit status: 0 done, 1 could not be done, 2 wrong words in the call, 3 a part did not pass,\n"
+        "130 interrupted.");
     app.require_subcommand(0, 1);
     app.fallthrough(false);
     app.get_formatter()->column_width(34);
@@ -95,6 +96,8 @@ int run(int argc, char** argv) {
     add_info_command(app, chosen);
     add_render_command(app, chosen);
     add_regions_command(app, chosen);
+    add_inspect_command(app, chosen);
+    add_batch_command(app, chosen);
     add_convert_command(app, chosen);
     add_devices_command(app, chosen);
     add_tf_command(app, chosen);

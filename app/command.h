@@ -16,6 +16,8 @@ void add_render_command(CLI::App& app, Action& chosen);
 void add_regions_command(CLI::App& app, Action& chosen);
 void add_convert_command(CLI::App& app, Action& chosen);
 void add_devices_command(CLI::App& app, Action& chosen);
+void add_inspect_command(CLI::App& app, Action& chosen);
+void add_batch_command(CLI::App& app, Action& chosen);
 void add_tf_command(CLI::App& app, Action& chosen);
 
 }  // namespace lacuna::cli

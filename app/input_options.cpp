@@ -17,6 +17,10 @@ std::uint64_t machine_memory_bytes() {
 
 void InputOptions::add_to(CLI::App& command, bool required) {
     command.add_option("INPUT", input, "folder, volume file, or sample:NAME[@N|@WxHxD]")->required(required);
+    add_flags_to(command);
+}
+
+void InputOptions::add_flags_to(CLI::App& command) {
     command.add_option("--raw", open.raw, "layout of a raw file: WxHxD:TYPE[:SX,SY,SZ][:be][:+OFFSET]");
     command.add_option("--series", open.series, "which series of a folder: its number or UID");
     command.add_option("--spacing", spacing_text,

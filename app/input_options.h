@@ -19,6 +19,8 @@ struct InputOptions {
 
     /// Adds the positional INPUT (required unless told) and --raw, --series, --spacing, --keep-gaps, --memory-limit.
     void add_to(CLI::App& command, bool required = true);
+    /// The flags without INPUT, for commands that take many.
+    void add_flags_to(CLI::App& command);
     /// Reads the flags' words without touching a file; call it before load. @throws Error(bad_usage)
     void check();
     /// Bytes this run may use: --memory-limit, else 75 % of the machine's memory.

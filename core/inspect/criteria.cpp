@@ -73,8 +73,8 @@ private:
         } catch (const Json::parse_error& error) {
             const std::size_t upto = std::min(error.byte, text.size());
             const auto line = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(upto), '\n');
-            refuse(last_key, fmt::format("or what follows it is no JSON (line {}); numbers are finite, names quoted",
-                                         line));
+            refuse(last_key,
+                   fmt::format("or what follows it is no JSON (line {}); numbers are finite, names quoted", line));
         }
     }
 
@@ -87,8 +87,8 @@ private:
         for (const auto& [key, value] : object.items()) {
             if (known.contains(key)) continue;
             for (const std::string& name : known)
-                if (name.starts_with(key + "_") && (name.ends_with("mm") || name.ends_with("mm3") ||
-                                                    name.ends_with("percent")))
+                if (name.starts_with(key + "_") &&
+                    (name.ends_with("mm") || name.ends_with("mm3") || name.ends_with("percent")))
                     refuse(at(where, key), "lacks its unit: write " + name);
             std::string list;
             for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
@@ -138,8 +138,7 @@ private:
         options.voids = value.contains("void");
         options.inclusions = value.contains("inclusion");
         if (options.voids) options.void_below = read_side(value["void"], "defects.void", "below");
-        if (options.inclusions)
-            options.inclusion_above = read_side(value["inclusion"], "defects.inclusion", "above");
+        if (options.inclusions) options.inclusion_above = read_side(value["inclusion"], "defects.inclusion", "above");
     }
 
     void read_method(const Json& root, DetectionOptions& options) const {
@@ -148,10 +147,14 @@ private:
         if (root.contains("method")) {
             const Json& value = root["method"];
             const std::string word = value.is_string() ? value.get<std::string>() : "";
-            if (word == "local") options.method = ThresholdMethod::local;
-            else if (word == "otsu") options.method = ThresholdMethod::otsu;
-            else if (word == "fixed") options.method = ThresholdMethod::fixed;
-            else refuse("method", "must be \"local\", \"otsu\" or \"fixed\"");
+            if (word == "local")
+                options.method = ThresholdMethod::local;
+            else if (word == "otsu")
+                options.method = ThresholdMethod::otsu;
+            else if (word == "fixed")
+                options.method = ThresholdMethod::fixed;
+            else
+                refuse("method", "must be \"local\", \"otsu\" or \"fixed\"");
             if (word == "fixed" && !options.material && !options.void_below)
                 refuse("method", "is \"fixed\", but neither material nor defects.void.below gives a value");
         }
@@ -215,8 +218,7 @@ private:
                 refuse(where + ".name", "is missing; a zone needs a name");
             zone.name = item["name"].get<std::string>();
             if (!names.insert(zone.name).second) refuse(where + ".name", "is used twice: " + zone.name);
-            if (item.contains("box_mm") == item.contains("labels"))
-                refuse(where, "must have either box_mm or labels");
+            if (item.contains("box_mm") == item.contains("labels")) refuse(where, "must have either box_mm or labels");
             if (item.contains("box_mm")) read_box(item["box_mm"], where + ".box_mm", zone);
             if (item.contains("labels")) {
                 if (!item["labels"].is_string()) refuse(where + ".labels", "must be the name of a label volume file");

@@ -23,8 +23,9 @@ enum class Rule {
     min_gap_mm,              ///< between two defects, at least
     min_surface_distance_mm  ///< from a defect to the part's surface, at least
 };
-constexpr std::array k_rules{Rule::porosity_percent, Rule::defect_volume_mm3, Rule::defect_diameter_mm,
-                             Rule::count,            Rule::min_gap_mm,        Rule::min_surface_distance_mm};
+constexpr std::array k_rules{Rule::porosity_percent,   Rule::defect_volume_mm3,
+                             Rule::defect_diameter_mm, Rule::count,
+                             Rule::min_gap_mm,         Rule::min_surface_distance_mm};
 
 /// The rule's key in the criteria, which ends in its unit.
 std::string_view name_of(Rule rule);

@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <memory>
 
 #include "core/inspect/report.h"
 #include "core/io/volume_reader.h"
@@ -42,6 +43,12 @@ InspectionReport inspect_part(const Volume& volume, const Criteria& criteria, st
     report.replay = options.replay;
     report.scan = facts_of(volume, options.input, job.part(0, 0.05));
     report.analysis = analyse_part(volume, criteria.detection, job.part(0.05, 0.7));
+    // A volume without a part may come back without labels; what is written is never missing.
+    const auto voxels = std::size_t(volume.geometry().voxel_count());
+    if (!report.analysis.labels.labels)
+        report.analysis.labels = {volume.geometry(), std::make_shared<std::vector<std::uint32_t>>(voxels)};
+    if (!report.analysis.part_mask.labels)
+        report.analysis.part_mask = {volume.geometry(), std::make_shared<std::vector<std::uint8_t>>(voxels)};
     report.judgement = judge(report.analysis, criteria, masks, options.by_hand, job.part(0.7, 0.72));
     draw_pictures(volume, engine, options.worst, report, job.part(0.72, 1));
     return report;

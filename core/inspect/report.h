@@ -36,8 +36,8 @@ struct DefectPictures {
 
 /// What was inspected, free of any patient's identity.
 struct ScanFacts {
-    std::string name;   ///< of the part, for titles
-    std::string input;  ///< file or folder name, without its folders
+    std::string name;    ///< of the part, for titles
+    std::string input;   ///< file or folder name, without its folders
     std::string sha256;  ///< of the voxels
     GridGeometry geometry;
     VoxelType type = VoxelType::u8;
@@ -54,10 +54,10 @@ struct InspectionReport {
     PartAnalysis analysis;
     Criteria criteria;
     Judgement judgement;
-    ReportPicture key;  ///< the whole part, its worst defects marked
+    ReportPicture key;                  ///< the whole part, its worst defects marked
     std::vector<DefectPictures> worst;  ///< worst first
-    std::string software;  ///< "Lacuna 0.1.0"
-    std::string replay;    ///< the command that makes this report again
+    std::string software;               ///< "Lacuna 0.1.0"
+    std::string replay;                 ///< the command that makes this report again
 };
 
 struct InspectOptions {
@@ -65,7 +65,7 @@ struct InspectOptions {
     std::string software;  ///< name and version
     std::string replay;    ///< command, without folder names
     std::vector<HandDecision> by_hand;
-    int worst = 10;        ///< defects that get pictures
+    int worst = 10;  ///< defects that get pictures
 };
 
 /// Measures, judges and draws a part.
@@ -89,7 +89,8 @@ std::string defects_csv(const InspectionReport& report);
 std::string report_json(const InspectionReport& report);
 /// Self-contained: styles, pictures and charts inside, no script but the table's sorting.
 std::string report_html(const InspectionReport& report);
-/// A4; table rows are never split and their header stands on every page. No date, so that equal reports are equal bytes.
+/// A4; table rows are never split and their header stands on every page. No date, so that equal reports are equal
+/// bytes.
 std::string report_pdf(const InspectionReport& report);
 
 /// Writes the whole folder beside its target and renames it: report.html, report.pdf, defects.csv, report.json,

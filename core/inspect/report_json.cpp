@@ -149,9 +149,8 @@ Json json_of(const Judgement& judgement) {
     for (const RuleResult& rule : judgement.rules) json["rules"].push_back(json_of(rule));
     json["by_hand"] = Json::array();
     for (const HandDecision& word : judgement.by_hand)
-        json["by_hand"].push_back({{"defect", word.defect},
-                                   {"decision", word.accepted ? "accepted" : "rejected"},
-                                   {"reason", word.reason}});
+        json["by_hand"].push_back(
+            {{"defect", word.defect}, {"decision", word.accepted ? "accepted" : "rejected"}, {"reason", word.reason}});
     return json;
 }
 

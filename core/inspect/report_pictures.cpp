@@ -42,11 +42,11 @@ Highlight highlight_of(const PartAnalysis& analysis, const Defect& defect, Verdi
 }
 
 std::string plan_text(const Scene& scene, const Plan& plan) {
-    return fmt::format("{} at {:.6g}, structure {}, step {:g}, sampler {}, refinement {} ({} steps), azimuth {:g}, "
-                       "elevation {:g}, zoom {:.4g}",
-                       name_of(scene.mode), scene.iso, name_of(plan.structure), plan.step, name_of(plan.sampler),
-                       name_of(plan.refine), plan.refine_steps, scene.camera.azimuth_deg, scene.camera.elevation_deg,
-                       scene.camera.zoom);
+    return fmt::format(
+        "{} at {:.6g}, structure {}, step {:g}, sampler {}, refinement {} ({} steps), azimuth {:g}, "
+        "elevation {:g}, zoom {:.4g}",
+        name_of(scene.mode), scene.iso, name_of(plan.structure), plan.step, name_of(plan.sampler), name_of(plan.refine),
+        plan.refine_steps, scene.camera.azimuth_deg, scene.camera.elevation_deg, scene.camera.zoom);
 }
 
 /// Draws one report's pictures: the scene they share, and what differs.
@@ -93,8 +93,8 @@ public:
         scene.cuts.push_back({rays.forward, -glm::dot(rays.forward, defect.centroid_mm), true});
         const std::uint32_t id[] = {defect.id};
         ReportPicture picture = draw(scene, id, job);
-        picture.caption = fmt::format("Defect {}: the part cut open at its centre; the picture spans {:.3g} mm.",
-                                      defect.id, span);
+        picture.caption =
+            fmt::format("Defect {}: the part cut open at its centre; the picture spans {:.3g} mm.", defect.id, span);
         return picture;
     }
 
@@ -118,7 +118,8 @@ public:
         paint_bar(picture, int(std::lround(bar_mm / pixel_mm)));
         picture.caption = fmt::format("{}slice {} of {} along the third axis; the bar is {:g} mm.",
                                       id ? fmt::format("Defect {}: ", id) : "", k + 1, g.size.z, bar_mm);
-        picture.plan = fmt::format("voxel values, nearest, window {:.6g} to {:.6g}", scene_.window.lo, scene_.window.hi);
+        picture.plan =
+            fmt::format("voxel values, nearest, window {:.6g} to {:.6g}", scene_.window.lo, scene_.window.hi);
         picture.error = "none: each pixel is the voxel it lies in, rounded to 8 bits";
         return picture;
     }
@@ -152,9 +153,10 @@ private:
         picture.size = frame.size;
         picture.rgb = to_rgb8(frame, scene.background);
         picture.plan = plan_text(scene, plan);
-        picture.error = fmt::format("largest {:.3g}/255, mean {:.3g}/255, {} of {} pixels over 1/255, against the "
-                                    "reference renderer (double precision, no structure), marks left out",
-                                    error.max, error.mean, error.pixels_over_budget, frame.pixels());
+        picture.error = fmt::format(
+            "largest {:.3g}/255, mean {:.3g}/255, {} of {} pixels over 1/255, against the "
+            "reference renderer (double precision, no structure), marks left out",
+            error.max, error.mean, error.pixels_over_budget, frame.pixels());
         job.checkpoint(1, 1);
         return picture;
     }

@@ -67,10 +67,9 @@ std::vector<Fact> part_facts(const InspectionReport& report) {
                   short_number(part.void_level) + ", " + short_number(part.material_level) + unit},
                  {"Noise (standard deviation)", short_number(part.noise) + unit},
                  {"Edge width (sigma)", short_number(part.edge_width_mm) + " mm"},
-                 {"Part from, to",
-                  fmt::format("({:.5g}, {:.5g}, {:.5g}), ({:.5g}, {:.5g}, {:.5g}) mm", part.bbox_min_mm.x,
-                              part.bbox_min_mm.y, part.bbox_min_mm.z, part.bbox_max_mm.x, part.bbox_max_mm.y,
-                              part.bbox_max_mm.z)}};
+                 {"Part from, to", fmt::format("({:.5g}, {:.5g}, {:.5g}), ({:.5g}, {:.5g}, {:.5g}) mm",
+                                               part.bbox_min_mm.x, part.bbox_min_mm.y, part.bbox_min_mm.z,
+                                               part.bbox_max_mm.x, part.bbox_max_mm.y, part.bbox_max_mm.z)}};
         facts.push_back({"Surfaces by", report.analysis.surface_method});
         facts.push_back({"Adjacency", report.analysis.adjacency});
     }

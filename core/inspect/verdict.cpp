@@ -28,8 +28,8 @@ int rank(Verdict v) { return v == Verdict::fail ? 2 : v == Verdict::cannot_tell 
 struct Place {
     std::string name;
     const Limits* limits = nullptr;
-    const ZoneMask* mask = nullptr;          ///< none: the whole part
-    std::vector<std::int64_t> voxels_of{};   ///< of each defect (by id - 1) inside
+    const ZoneMask* mask = nullptr;         ///< none: the whole part
+    std::vector<std::int64_t> voxels_of{};  ///< of each defect (by id - 1) inside
     std::int64_t part_voxels = 0;
     bool holds(const Defect& defect) const { return !mask || voxels_of[defect.id - 1] > 0; }
 };
@@ -189,8 +189,8 @@ private:
     static void blame(DefectJudgement& defect, const RuleResult& rule) {
         if (rank(rule.verdict) <= rank(defect.verdict)) return;
         defect.verdict = rule.verdict;
-        defect.why = fmt::format("{}{}: {}", rule.zone.empty() ? "" : "zone " + rule.zone + ", ", name_of(rule.rule),
-                                 rule.why);
+        defect.why =
+            fmt::format("{}{}: {}", rule.zone.empty() ? "" : "zone " + rule.zone + ", ", name_of(rule.rule), rule.why);
     }
 
     Measured porosity(const Place& place) const {
@@ -234,8 +234,9 @@ private:
         const std::string of = row.defect ? fmt::format("defect {}: ", row.defect) : "";
         if (std::isnan(row.value.value)) return of + "it cannot be measured.";
         const std::string interval =
-            row.value.lo == row.value.hi ? fmt::format("{:.4g}", row.value.value)
-                                         : fmt::format("{:.4g} [{:.4g}, {:.4g}]", row.value.value, row.value.lo, row.value.hi);
+            row.value.lo == row.value.hi
+                ? fmt::format("{:.4g}", row.value.value)
+                : fmt::format("{:.4g} [{:.4g}, {:.4g}]", row.value.value, row.value.lo, row.value.hi);
         const std::string unit = unit_of(row.rule).empty() ? "" : " " + std::string(unit_of(row.rule));
         const char* limit = above ? "the most allowed" : "the least allowed";
         switch (row.verdict) {
@@ -261,8 +262,8 @@ private:
             verdict = Verdict::cannot_tell;
             reasons.push_back("The part is cut by the volume's frame: what lies outside was not seen.");
             if (broken > 0)
-                reasons.push_back(fmt::format("What was seen breaks {} of {} limits.", broken,
-                                              judgement_.rules.size()));
+                reasons.push_back(
+                    fmt::format("What was seen breaks {} of {} limits.", broken, judgement_.rules.size()));
         }
         const bool limits = !criteria.limits.empty() || std::any_of(criteria.zones.begin(), criteria.zones.end(),
                                                                     [](const Zone& z) { return !z.limits.empty(); });

@@ -50,8 +50,8 @@ struct HandDecision {
 /// The verdict on a part and all that led to it.
 struct Judgement {
     Verdict verdict = Verdict::cannot_tell;
-    std::vector<std::string> reasons;  ///< sentences, the decisive one first
-    std::vector<RuleResult> rules;     ///< part first, then zones, in the criteria's order
+    std::vector<std::string> reasons;      ///< sentences, the decisive one first
+    std::vector<RuleResult> rules;         ///< part first, then zones, in the criteria's order
     std::vector<DefectJudgement> defects;  ///< as PartAnalysis::defects
     std::vector<HandDecision> by_hand;
 };

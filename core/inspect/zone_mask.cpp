@@ -37,7 +37,8 @@ ZoneMask::ZoneMask(const Zone& zone, const GridGeometry& geometry, const JobCont
 void ZoneMask::lay_box(const Zone& zone) {
     min_ = zone.box_min_mm;
     max_ = zone.box_max_mm;
-    // The voxel box around the corners; on an oblique grid it holds voxels outside the zone, which contains() leaves out.
+    // The voxel box around the corners; on an oblique grid it holds voxels outside the zone, which contains() leaves
+    // out.
     glm::dvec3 lo(INFINITY), hi(-INFINITY);
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec3 mm(corner & 1 ? max_.x : min_.x, corner & 2 ? max_.y : min_.y, corner & 4 ? max_.z : min_.z);
@@ -93,8 +94,7 @@ void ZoneMask::read_labels(const Zone& zone, const JobContext& job) {
     std::size_t to = 0;
     for (int z = first_.z; z <= last_.z; ++z)
         for (int y = first_.y; y <= last_.y; ++y)
-            for (int x = first_.x; x <= last_.x; ++x)
-                inside_[to++] = all[std::size_t(geometry_.linear_index(x, y, z))];
+            for (int x = first_.x; x <= last_.x; ++x) inside_[to++] = all[std::size_t(geometry_.linear_index(x, y, z))];
 }
 
 bool ZoneMask::contains(int x, int y, int z) const {

@@ -260,6 +260,10 @@ bool starts_like_dicom(std::string_view bytes) {
 
 void fill_file(DcmItem& data, File& file) {
     file.series_uid = text_of(data, DCM_SeriesInstanceUID);
+    file.study_uid = text_of(data, DCM_StudyInstanceUID);
+    file.frame_of_reference_uid = text_of(data, DCM_FrameOfReferenceUID);
+    file.sop_class_uid = text_of(data, DCM_SOPClassUID);
+    file.sop_instance_uid = text_of(data, DCM_SOPInstanceUID);
     file.modality = text_of(data, DCM_Modality);
     file.description = text_of(data, DCM_SeriesDescription);
     if (file.description.empty()) file.description = text_of(data, DCM_StudyDescription);

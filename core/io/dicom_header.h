@@ -71,6 +71,7 @@ struct Frame {
 struct File {
     std::filesystem::path path;
     std::string series_uid, modality, description, syntax_uid, syntax_name;
+    std::string study_uid, frame_of_reference_uid, sop_class_uid, sop_instance_uid;
     int series_number = 0;
     PixelFormat pixels;
     std::optional<Padding> padding;

@@ -3,7 +3,6 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,12 +10,15 @@
 #include <fstream>
 #include <vector>
 
+#include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/io/dicom_derived.h"
 
 namespace lacuna {
 
 namespace fs = std::filesystem;
+using dicom::decimal, dicom::printable;
 
 namespace {
 
@@ -73,29 +75,12 @@ Storage storage_of(const Volume& volume, const fs::path& folder) {
     return storage_of_floats(volume, folder);
 }
 
-/// A decimal string of at most 16 characters, as exact as they allow (PS3.5, VR DS).
-std::string decimal(double value) {
-    for (int digits = 15; digits > 1; --digits) {
-        std::string text = fmt::format("{:.{}g}", value, digits);
-        if (text.size() <= 16) return text;
-    }
-    return "0";
-}
-
 std::string decimals(std::initializer_list<double> values) {
     std::string text;
     for (const double v : values) {
         if (!text.empty()) text += '\\';
         text += decimal(v);
     }
-    return text;
-}
-
-/// What a description may show: printable ASCII without DICOM's separators.
-std::string printable(const std::string& name) {
-    std::string text;
-    for (const char c : name)
-        if (c >= ' ' && c < 127 && c != '\\' && text.size() < 64) text += c;
     return text;
 }
 
@@ -181,38 +166,6 @@ void write_slice(const Volume& volume, const Storage& storage, const SeriesIds& 
     const OFCondition saved = format.saveFile(file.c_str(), EXS_LittleEndianExplicit);
     if (saved.bad() || !ends_with(file, words)) fail(folder, "the disk is full or the file size is limited");
 }
-
-/// A folder beside its target that is renamed to it, or removed.
-class AtomicFolder {
-public:
-    explicit AtomicFolder(const fs::path& target) : target_(target) {
-        const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
-        temporary_ = parent / ("." + std::to_string(::getpid()) + ".part." + target.filename().string());
-        std::error_code ec;
-        if (fs::exists(target, ec) && !(fs::is_directory(target, ec) && fs::is_empty(target, ec)))
-            throw Error(Errc::io, "Cannot write the DICOM series " + target.string() +
-                                      ": the folder is not empty; name a new one, so that no two series mix.");
-        if (!fs::create_directory(temporary_, ec)) fail(target, ec ? ec.message() : "a temporary folder is in the way");
-    }
-    ~AtomicFolder() {
-        std::error_code ec;
-        if (!committed_) fs::remove_all(temporary_, ec);
-    }
-    AtomicFolder(const AtomicFolder&) = delete;
-    AtomicFolder& operator=(const AtomicFolder&) = delete;
-
-    const fs::path& path() const { return temporary_; }
-    void commit() {
-        std::error_code ec;
-        fs::rename(temporary_, target_, ec);
-        if (ec) fail(target_, ec.message());
-        committed_ = true;
-    }
-
-private:
-    fs::path target_, temporary_;
-    bool committed_ = false;
-};
 
 }  // namespace
 
