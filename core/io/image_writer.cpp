@@ -27,7 +27,13 @@ std::string encode_png(glm::ivec2 size, std::span<const std::uint8_t> rgb) {
 }
 
 void write_png(const std::filesystem::path& target, glm::ivec2 size, std::span<const std::uint8_t> rgb) {
-    write_file(target, encode_png(size, rgb));
+    std::string png;
+    try {
+        png = encode_png(size, rgb);
+    } catch (const Error& error) {
+        throw Error(error.code(), "Cannot write " + target.string() + ": " + error.what());
+    }
+    write_file(target, png);
 }
 
 }  // namespace lacuna
