@@ -11,6 +11,7 @@
 #include "core/compute/device.h"
 #include "core/inspect/batch.h"
 #include "core/inspect/report.h"
+#include "core/io/dicom_source.h"
 #include "core/render/engine.h"
 
 namespace lacuna::cli {
@@ -91,6 +92,7 @@ int run_inspect(InspectWords& words, Console& console) {
     const std::vector<ZoneMask> masks = lay_zones(criteria, volume.geometry(), console.job("Reading zones"));
     Engine engine(open_device(words.device, console.job("Testing devices")));
     options.input = words.input.input;
+    if (volume.dicom) options.source = find_dicom_source(words.input.input, words.input.open, console.job("Looking"));
     options.software = std::string("Lacuna ") + LACUNA_VERSION;
     options.replay = replay_command(words);
     const InspectionReport report = inspect_part(volume, criteria, masks, engine, options, console.job("Inspecting"));

@@ -1,3 +1,5 @@
+#include "core/base/atomic_folder.h"
+
 #include <fcntl.h>
 #include <sys/syscall.h>
 #include <unistd.h>

@@ -11,7 +11,9 @@
 #include <thread>
 
 #include "core/base/atomic_file.h"
+#include "core/base/atomic_folder.h"
 #include "core/inspect/batch_journal.h"
+#include "core/io/dicom_source.h"
 #include "core/render/engine.h"
 
 namespace lacuna {
@@ -68,18 +70,25 @@ public:
 
 private:
     void work(std::vector<Planned*>& open) {
-        Engine engine(options_.device);
-        while (Planned* part = take(open)) {
-            try {
+        try {
+            Engine engine(options_.device);
+            while (Planned* part = take(open)) {
+                const Returned returned{*this, *part};
                 part->done = inspect(*part, engine);
                 engine.drop_caches();
-            } catch (...) {
-                const std::lock_guard lock(mutex_);
-                if (!fault_) fault_ = std::current_exception();
             }
-            give_back(*part);
+        } catch (...) {
+            const std::lock_guard lock(mutex_);
+            if (!fault_) fault_ = std::current_exception();
         }
     }
+
+    /// Gives a part's memory back however its work ends.
+    struct Returned {
+        BatchRunner& runner;
+        const Planned& part;
+        ~Returned() { runner.give_back(part); }
+    };
 
     /// The next part in order, once its memory fits; a part alone always fits (larger ones were refused before).
     Planned* take(std::vector<Planned*>& open) {
@@ -142,6 +151,7 @@ private:
             inspect.replay = fmt::format("lacuna inspect {} --criteria criteria.json --report {}",
                                          quoted(last_name(part.input)), quoted(part.name));
             inspect.worst = options_.worst;
+            if (volume.dicom) inspect.source = find_dicom_source(part.input, options_.open, {job.stop, nullptr});
             report = inspect_part(volume, options_.criteria, masks, engine, inspect, job.part(0.2, 0.9));
         } catch (const Error& error) {
             if (error.code() == Errc::cancelled) throw;

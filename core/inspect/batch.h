@@ -84,7 +84,7 @@ struct SeriesStatistics {
     double median = 0, mad = 0;  ///< median and median absolute deviation of the parts that have it
     std::optional<double> reference;
     std::vector<double> deviation;  ///< of each part from the reference; NaN where either is missing
-    std::vector<double> z;          ///< robust z-score 0.6745 (x - median) / MAD (Iglewicz & Hoaglin 1993)
+    std::vector<double> z;          ///< robust z-score (Iglewicz & Hoaglin 1993)
     std::vector<bool> outlier;      ///< |z| > 3.5
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/inspect/batch.h"
 #include "core/inspect/report_document.h"
@@ -29,13 +30,14 @@ double median(std::vector<double> values) {
     return 0.5 * (upper + *std::max_element(values.begin(), values.begin() + std::ptrdiff_t(half)));
 }
 
-/// 0.6745 makes it the usual z-score where values are normally distributed. Without spread (MAD 0) whatever differs
-/// from the median by more than rounding is infinitely far.
-double robust_z(double value, double middle, double mad) {
+/// Iglewicz & Hoaglin 1993: 0.6745 (x - median) / MAD; where more than half the values are equal, and MAD is 0, the
+/// mean absolute deviation times 1.253314 stands in for it. Both make it the usual z-score of normally distributed
+/// values.
+double robust_z(double value, double middle, double mad, double mean_deviation) {
     if (!std::isfinite(value) || !std::isfinite(middle)) return NAN;
-    const double off = value - middle;
-    if (mad > 1e-12 * std::abs(middle)) return 0.6745 * off / mad;
-    return std::abs(off) <= 1e-9 * std::abs(middle) ? 0 : std::copysign(INFINITY, off);
+    const double rounding = 1e-12 * std::abs(middle);
+    if (mad > rounding) return 0.6745 * (value - middle) / mad;
+    return mean_deviation > rounding ? (value - middle) / (1.253314 * mean_deviation) : 0;
 }
 
 std::vector<std::string> outliers_of(const std::vector<SeriesStatistics>& series, std::size_t row) {
@@ -52,13 +54,6 @@ std::string joined(const std::vector<std::string>& words, const char* between) {
 }
 
 std::string verdict_word(const BatchRow& row) { return row.verdict ? std::string(name_of(*row.verdict)) : "broken"; }
-
-/// z-scores without spread are endless; a table says so in a word.
-std::string z_text(double z) {
-    if (std::isnan(z)) return "";
-    if (std::isinf(z)) return z > 0 ? "inf" : "-inf";
-    return exact_number(z);
-}
 
 struct Counts {
     std::size_t pass = 0, fail = 0, cannot_tell = 0, broken = 0;
@@ -96,7 +91,7 @@ Chart values_chart(const std::vector<BatchRow>& rows, const std::vector<SeriesSt
         largest = std::max(largest, m.hi);
         (outlier ? odd : usual).points.push_back(std::move(point));
     }
-    if (largest > 0) chart.y.hi = 1.05 * largest;
+    chart.y.hi = largest > 0 ? 1.05 * largest : 1;
     if (limit) chart.marks.push_back({AxisName::y, *limit, "limit", {0.72, 0.11, 0.11}});
     if (found != series.end() && found->reference && std::isfinite(*found->reference))
         chart.marks.push_back({AxisName::y, *found->reference, "reference", {0.1, 0.3, 0.6}});
@@ -202,11 +197,13 @@ std::vector<SeriesStatistics> compare_series(const std::vector<BatchRow>& rows,
         s.median = median(finite);
         for (double& v : finite) v = std::abs(v - s.median);
         s.mad = median(finite);
+        const double mean_deviation =
+            finite.empty() ? 0 : std::accumulate(finite.begin(), finite.end(), 0.0) / double(finite.size());
         if (reference) s.reference = value_of(*reference, s.name).value;
         for (const double v : values) {
             const double off = s.reference ? v - *s.reference : NAN;
             s.deviation.push_back(std::isfinite(off) ? off : NAN);
-            s.z.push_back(robust_z(v, s.median, s.mad));
+            s.z.push_back(robust_z(v, s.median, s.mad, mean_deviation));
             s.outlier.push_back(std::abs(s.z.back()) > k_outlier);
         }
     }
@@ -230,7 +227,7 @@ std::string summary_csv(const std::vector<BatchRow>& rows, const std::optional<B
             const Measured& m = value_of(row, s.name);
             for (const double v : {m.value, m.lo, m.hi}) csv += ',' + exact_number(v);
             if (reference) csv += ',' + exact_number(s.deviation[i]);
-            csv += ',' + z_text(s.z[i]);
+            csv += ',' + exact_number(s.z[i]);
         }
         csv += "\r\n";
     }

@@ -41,6 +41,7 @@ InspectionReport inspect_part(const Volume& volume, const Criteria& criteria, st
     report.criteria = criteria;
     report.software = options.software;
     report.replay = options.replay;
+    report.source = options.source;
     report.scan = facts_of(volume, options.input, job.part(0, 0.05));
     report.analysis = analyse_part(volume, criteria.detection, job.part(0.05, 0.7));
     // A volume without a part may come back without labels; what is written is never missing.

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,7 @@
 namespace lacuna {
 
 class Engine;
+struct DicomSource;
 
 /// A picture of a report: pixels, and how far they can be trusted.
 struct ReportPicture {
@@ -54,10 +56,11 @@ struct InspectionReport {
     PartAnalysis analysis;
     Criteria criteria;
     Judgement judgement;
-    ReportPicture key;                  ///< the whole part, its worst defects marked
-    std::vector<DefectPictures> worst;  ///< worst first
-    std::string software;               ///< "Lacuna 0.1.0"
-    std::string replay;                 ///< the command that makes this report again
+    ReportPicture key;                          ///< the whole part, its worst defects marked
+    std::vector<DefectPictures> worst;          ///< worst first
+    std::string software;                       ///< "Lacuna 0.1.0"
+    std::string replay;                         ///< the command that makes this report again
+    std::shared_ptr<const DicomSource> source;  ///< the DICOM series inspected; none: no DICOM files are written
 };
 
 struct InspectOptions {
@@ -65,7 +68,8 @@ struct InspectOptions {
     std::string software;  ///< name and version
     std::string replay;    ///< command, without folder names
     std::vector<HandDecision> by_hand;
-    int worst = 10;  ///< defects that get pictures
+    int worst = 10;                             ///< defects that get pictures
+    std::shared_ptr<const DicomSource> source;  ///< of find_dicom_source, where the volume came from DICOM
 };
 
 /// Measures, judges and draws a part.

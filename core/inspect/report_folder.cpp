@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/base/atomic_file.h"
+#include "core/base/atomic_folder.h"
 #include "core/inspect/report.h"
 #include "core/inspect/report_text.h"
 #include "core/io/dicom_capture_writer.h"
@@ -40,7 +41,7 @@ DicomProvenance provenance(const InspectionReport& report) {
     made.software = report.software.substr(0, space);
     made.version = space == std::string::npos ? "0" : report.software.substr(space + 1);
     made.title = report.scan.name;
-    made.seed = report.scan.sha256 + "\n" + report.scan.dicom->series_uid + "\n" + report.criteria.json;
+    made.seed = report.scan.sha256 + "\n" + report.source->series_uid + "\n" + report.criteria.json;
     for (const HandDecision& word : report.judgement.by_hand)
         made.seed += "\n" + std::to_string(word.defect) + (word.accepted ? "+" : "-") + word.reason;
     return made;
@@ -145,7 +146,7 @@ std::string joined(const std::vector<std::string>& sentences) {
 }
 
 void write_dicom_files(const InspectionReport& report, const fs::path& folder, const JobContext& job) {
-    const DicomSource& source = *report.scan.dicom->source;
+    const DicomSource& source = *report.source;
     const DicomProvenance made = provenance(report);
     const Segments segments = segments_of(report, made);
     write_dicom_segmentation(report.analysis.part_mask, report.analysis.labels, segments.list, source, made,
@@ -170,8 +171,7 @@ void write_report(const InspectionReport& report, const Volume& volume, const fs
     write_file(to / "report.html", report_html(report));
     job.check();
     write_file(to / "report.pdf", report_pdf(report));
-    if (report.scan.dicom && report.scan.dicom->source && !report.scan.dicom->source->images.empty())
-        write_dicom_files(report, to, job.part(0.7, 0.95));
+    if (report.source && !report.source->images.empty()) write_dicom_files(report, to, job.part(0.7, 0.95));
     write_file(to / k_mark, report_json(report));
     job.checkpoint(1, 1);  // the last moment at which a stop leaves nothing behind
     output.commit();

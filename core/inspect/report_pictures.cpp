@@ -15,8 +15,8 @@ namespace lacuna {
 
 namespace {
 
-constexpr glm::ivec2 k_key_size{480, 400}, k_view_size{300, 300};
-constexpr int k_slice_side = 300;
+constexpr glm::ivec2 k_key_size{480, 400}, k_view_size{260, 260};
+constexpr int k_slice_side = 260;
 constexpr int k_most_marked = 200;  // defects marked in the picture of the whole part
 
 glm::dvec3 color_of(Verdict verdict) {

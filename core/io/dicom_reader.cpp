@@ -171,22 +171,6 @@ std::string unit_of(const File& file, const Frame& slice) {
     return slice.rescale_type == "US" ? "" : slice.rescale_type;  // US: unspecified
 }
 
-std::shared_ptr<const DicomSource> source_of(const SeriesScan& scan, const StackPlan& plan) {
-    auto source = std::make_shared<DicomSource>();
-    const File& first = scan.file_of(scan.slices[plan.order.front()]);
-    source->study_uid = first.study_uid;
-    source->series_uid = first.series_uid;
-    source->frame_of_reference_uid = first.frame_of_reference_uid;
-    for (std::size_t i = 0; i < plan.order.size(); ++i) {
-        const Frame& slice = scan.slices[plan.order[i]];
-        const File& file = scan.file_of(slice);
-        const double plane = slice.position ? plan.grid.mm_to_voxel(*slice.position).z : double(i);
-        source->images.push_back({file.path, file.sop_class_uid, file.sop_instance_uid,
-                                  file.frames.size() > 1 || slice.number > 0 ? slice.number + 1 : 0, plane});
-    }
-    return source;
-}
-
 DicomFacts facts_of(const SeriesScan& scan, const StackPlan& plan) {
     const Frame& slice = scan.slices[plan.order.front()];
     const File& file = scan.file_of(slice);
@@ -206,7 +190,6 @@ DicomFacts facts_of(const SeriesScan& scan, const StackPlan& plan) {
     facts.window_center = slice.window_center;
     facts.window_width = slice.window_width;
     facts.component = file.component;
-    facts.source = source_of(scan, plan);
     return facts;
 }
 
@@ -296,6 +279,27 @@ Volume read_dicom_series(const SeriesEntry& series, const OpenOptions& options, 
     add_warnings(volume.warnings, *scan, loaded);
     volume.dicom = facts_of(*scan, plan);
     return volume;
+}
+
+std::shared_ptr<const DicomSource> dicom_source_of(const SeriesEntry& series, const JobContext& job) {
+    const auto scan = scan_of(series, job);
+    refuse_faults(*scan);
+    const File& first = scan->file_of(scan->slices.front());
+    std::vector<std::string> names;
+    for (const Frame& slice : scan->slices) names.push_back(scan->name_of(slice));
+    const StackPlan plan = plan_stack(scan->slices, {first.pixels.columns, first.pixels.rows}, names);
+    auto source = std::make_shared<DicomSource>();
+    source->study_uid = first.study_uid;
+    source->series_uid = first.series_uid;
+    source->frame_of_reference_uid = first.frame_of_reference_uid;
+    for (std::size_t i = 0; i < plan.order.size(); ++i) {
+        const Frame& slice = scan->slices[plan.order[i]];
+        const File& file = scan->file_of(slice);
+        const double plane = slice.position ? plan.grid.mm_to_voxel(*slice.position).z : double(i);
+        source->images.push_back({file.path, file.sop_class_uid, file.sop_instance_uid,
+                                  file.frames.size() > 1 ? slice.number + 1 : 0, plane});
+    }
+    return source;
 }
 
 }  // namespace lacuna

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "core/base/job.h"
 
 namespace lacuna {
 
@@ -20,5 +23,16 @@ struct DicomSource {
     std::string study_uid, series_uid, frame_of_reference_uid;
     std::vector<DicomSourceImage> images;  ///< those used, in stacking order
 };
+
+struct OpenOptions;
+struct SeriesEntry;
+
+/// What open_volume() of the same words reads its DICOM series from; null where it reads something else. Looks at
+/// headers only. @throws as open_volume
+std::shared_ptr<const DicomSource> find_dicom_source(const std::string& input, const OpenOptions& options,
+                                                     const JobContext& job = {});
+
+/// The same of one series found by find_dicom_series.
+std::shared_ptr<const DicomSource> dicom_source_of(const SeriesEntry& series, const JobContext& job = {});
 
 }  // namespace lacuna

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <vector>
 
-#include "core/base/atomic_file.h"
+#include "core/base/atomic_folder.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/io/dicom_derived.h"

@@ -9,6 +9,7 @@
 
 #include "core/base/parallel.h"
 #include "core/io/dicom_reader.h"
+#include "core/io/dicom_source.h"
 #include "core/io/grid_repair.h"
 #include "core/io/header_check.h"
 #include "core/io/itk_reader.h"
@@ -375,6 +376,16 @@ Volume open_volume(const std::string& input, const OpenOptions& options, const J
     job.checkpoint(1, 1);
     job.check();
     return volume;
+}
+
+std::shared_ptr<const DicomSource> find_dicom_source(const std::string& input, const OpenOptions& options,
+                                                     const JobContext& job) {
+    if (is_sample(input)) return nullptr;
+    const fs::path path = existing(input);
+    const bool folder = fs::is_directory(path);
+    if (!folder && kind_of(path, options) != FileKind::dicom) return nullptr;
+    const auto found = folder ? dicom_in_folder(path, job) : find_dicom_series(path, job);
+    return found.empty() ? nullptr : dicom_source_of(chosen_series(input, found, options.series), job);
 }
 
 }  // namespace lacuna

@@ -28,8 +28,6 @@ struct Warning {
     double max_error_mm = 0;        ///< largest position error of any voxel, mm; 0 when exact or not geometric
 };
 
-struct DicomSource;  // core/io/dicom_source.h
-
 /// Facts about a DICOM series that carry no patient's identity.
 struct DicomFacts {
     std::string modality, description, transfer_syntax, photometric_interpretation;
@@ -41,7 +39,6 @@ struct DicomFacts {
     double gantry_tilt_deg = 0;              ///< signed; 0 when the slices stack along their normal
     std::optional<double> window_center, window_width;          ///< the first stored window, if any
     std::vector<std::pair<std::string, std::string>> component; ///< DICONDE component fields (name, id, ...), if any
-    std::shared_ptr<const DicomSource> source;  ///< what objects derived from the series refer to
 };
 
 /// Voxel memory: aligned to 2 MiB where it is large, huge pages asked for, at least 64 readable zero bytes behind the
