@@ -1,6 +1,7 @@
 // lacuna inspect as its users meet it.
 
 #include <algorithm>
+#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>

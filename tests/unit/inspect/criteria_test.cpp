@@ -3,6 +3,7 @@
 #include "core/inspect/criteria.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
