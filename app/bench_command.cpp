@@ -107,6 +107,7 @@ int run_bench(BenchOptions& options, Console& console) {
     if (options.list) return 0;
 
     Engine engine(open_device(options.device, console.job("Testing devices")));
+    engine.set_memory_limit(options.input.memory_limit_bytes());
     SweepOptions sweeping;
     sweeping.extent = options.quick ? SweepExtent::quick : SweepExtent::full;
     sweeping.rounds = options.rounds;

@@ -191,45 +191,8 @@ void RenderOptions::refuse_plan_words(const std::string& with) const {
           std::pair("--directions", &words_.directions), std::pair("--voxel-gradient", &words_.voxel_gradient),
           std::pair("--refine", &words_.refine), std::pair("--refine-steps", &words_.refine_steps),
           std::pair("--ert", &words_.ert), std::pair("--cells", &words_.cells), std::pair("--sparse", &words_.sparse),
-          std::pair("--homogeneity", &words_.homogeneity)})
-        if (*word) throw Error(Errc::bad_usage, fmt::format("{} does not go with {}.", flag, with));
-}
-
-void RenderOptions::parse_budget() {
-    error_budget_ = optional_number("--error-budget", words_.error_budget);
-    time_budget_ = optional_number("--time-budget", words_.time_budget);
-    if (error_budget_ && !(*error_budget_ >= 0)) refuse("--error-budget", *words_.error_budget, "at least 0");
-    if (time_budget_ && !(*time_budget_ > 0)) refuse("--time-budget", *words_.time_budget, "above 0");
-    if (!error_budget_ && !time_budget_) return;
-    refuse_plan_words("a budget, by which the planner picks it");
-    if (words_.plan) throw Error(Errc::bad_usage, "--plan does not go with a budget, by which the planner picks it.");
-    if (mode_ == ViewMode::shear_warp)
-        throw Error(Errc::bad_usage, "A budget does not go with --mode shear-warp, which has one plan.");
-}
-
-/// --plan replaces every word about how to draw, and brings its mode.
-void RenderOptions::parse_replayed_plan() {
-    if (!words_.plan) return;
-    refuse_plan_words("--plan, which says it all");
-    if (words_.step) throw Error(Errc::bad_usage, "--step does not go with --plan, which says it all.");
-    constexpr std::uintmax_t k_most_bytes = 1 << 16;
-    const bool inline_json = words_.plan->starts_with("{");
-    replayed_ = plan_from_json(inline_json ? *words_.plan : read_file(*words_.plan, k_most_bytes),
-                               inline_json ? "--plan" : *words_.plan);
-    if (words_.mode && mode_ != replayed_->mode)
-        throw Error(Errc::bad_usage, fmt::format("--mode {} does not go with --plan, whose mode is {}.", *words_.mode,
-                                                 name_of(replayed_->mode)));
-    mode_ = replayed_->mode;
-}
-
-/// Words about how to draw, where something else says it.
-void RenderOptions::refuse_plan_words(const std::string& with) const {
-    for (const auto& [flag, word] :
-         {std::pair("--structure", &words_.structure), std::pair("--sampler", &words_.sampler),
-          std::pair("--directions", &words_.directions), std::pair("--voxel-gradient", &words_.voxel_gradient),
-          std::pair("--refine", &words_.refine), std::pair("--refine-steps", &words_.refine_steps),
-          std::pair("--ert", &words_.ert), std::pair("--cells", &words_.cells), std::pair("--sparse", &words_.sparse),
-          std::pair("--homogeneity", &words_.homogeneity), std::pair("--brick", &words_.brick)})
+          std::pair("--homogeneity", &words_.homogeneity), std::pair("--brick", &words_.brick),
+          std::pair("--gradient", &words_.gradient), std::pair("--integration", &words_.integration)})
         if (*word) throw Error(Errc::bad_usage, fmt::format("{} does not go with {}.", flag, with));
 }
 

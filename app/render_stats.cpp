@@ -54,11 +54,6 @@ ordered_json bricks_json(const BrickCounts& b) {
             {"loaded", b.loaded}, {"bytes_read", b.bytes_read}, {"bytes_peak", b.bytes_peak}};
 }
 
-ordered_json bricks_json(const BrickCounts& b) {
-    return {{"total", b.total},   {"empty", b.empty},           {"hidden", b.hidden},        {"uniform", b.uniform},
-            {"loaded", b.loaded}, {"bytes_read", b.bytes_read}, {"bytes_peak", b.bytes_peak}};
-}
-
 ordered_json times_json(const std::vector<FrameRecord>& frames) {
     std::vector<double> ms;
     for (const FrameRecord& frame : frames) ms.push_back(frame.ms);

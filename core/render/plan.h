@@ -47,20 +47,6 @@ struct LeapPlan {
     std::optional<ValueRange> quantisation;  ///< f32 volumes: the values that get 15 bits; there it must be given
 };
 
-/// How rays leap. lossless: the renderer's own samples, and runs of one value where a leap voxel says so. confirmed:
-/// the kernel as published, on the 16-bit volume alone, one look-up a step (EA, no shading); it takes a region for one
-/// only where a leap voxel's top bit says so. published: on two equal samples, wherever they are; it can be fooled.
-enum class Leaping { lossless, confirmed, published };
-
-/// How the structure leap is made and used.
-struct LeapPlan {
-    Leaping kernel = Leaping::lossless;
-    LeapWay way = LeapWay::transform;
-    CentreGroups groups;                     ///< of LeapWay::groups
-    std::int64_t min_voxels = 64;            ///< smaller regions are none
-    std::optional<ValueRange> quantisation;  ///< f32 volumes: the values that get 15 bits; there it must be given
-};
-
 /// How a scene is drawn: plain values, and the reasons for them.
 struct Plan {
     Structure structure = Structure::macrocells;
@@ -86,7 +72,6 @@ struct Plan {
     LeapPlan leap;              ///< structure leap only
     int brick = 0;  ///< the volume is cut into bricks of so many voxels an edge, cast one after the other; 0: whole
     std::uint64_t brick_bytes = 0;  ///< bricks and their structures may take so much together; 0: Engine says
-    LeapPlan leap;                  ///< structure leap only
     std::vector<std::string> why;   ///< one sentence a choice, and what was not built
 };
 

@@ -63,18 +63,6 @@ Volume::Volume(GridGeometry geometry, VoxelType type, std::shared_ptr<const Voxe
     require_sound(geometry_);
 }
 
-namespace {
-void require_sound(const GridGeometry& geometry) {
-    if (const char* fault = fault_of(geometry); *fault)
-        throw Error(Errc::bad_input, std::string("The volume's geometry is unsound: ") + fault + ".");
-}
-}  // namespace
-
-Volume::Volume(GridGeometry geometry, VoxelType type, std::shared_ptr<const VoxelSource> source)
-    : geometry_(geometry), type_(type), source_(std::move(source)) {
-    require_sound(geometry_);
-}
-
 Volume::Volume(GridGeometry geometry, VoxelType type, VoxelBuffer voxels)
     : geometry_(geometry), type_(type), voxels_(std::move(voxels)) {
     require_sound(geometry_);
