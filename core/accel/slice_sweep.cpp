@@ -57,11 +57,15 @@ void reach(SliceBits& bits, SliceBits& scratch, const SliceDirection& direction,
     const std::size_t n = bits.size(), words = std::size_t(bits.words);
     std::uint64_t* out = bits.row(0);
     const std::uint64_t* in = scratch.row(0);
-    std::copy(in, in + n, out);
-    if (lean_v >= 0)
-        for (std::size_t i = words; i < n; ++i) out[i] |= in[i - words];
-    if (lean_v <= 0)
-        for (std::size_t i = 0; i + words < n; ++i) out[i] |= in[i + words];
+    if (lean_v > 0) {
+        std::copy(in, in + words, out);
+        for (std::size_t i = words; i < n; ++i) out[i] = in[i] | in[i - words];
+    } else {
+        for (std::size_t i = 0; i + words < n; ++i) out[i] = in[i] | in[i + words];
+        std::copy(in + n - words, in + n, out + n - words);
+        if (lean_v == 0)
+            for (std::size_t i = words; i < n; ++i) out[i] |= in[i - words];
+    }
     if (world && lean_v >= 0) std::fill(out, out + words, ~std::uint64_t(0));
     if (world && lean_v <= 0) std::fill(out + n - words, out + n, ~std::uint64_t(0));
     bits.mask();

@@ -38,8 +38,8 @@ void count_rows(SliceLists& lists, const std::vector<std::uint64_t>& bits, int w
 }
 
 std::array<std::int16_t, 3> packed(const glm::dvec3& normal) {
-    return {std::int16_t(std::lround(32767 * normal.x)), std::int16_t(std::lround(32767 * normal.y)),
-            std::int16_t(std::lround(32767 * normal.z))};
+    const glm::ivec3 n(glm::floor(32767.0 * normal + 0.5));
+    return {std::int16_t(n.x), std::int16_t(n.y), std::int16_t(n.z)};
 }
 
 /// Says how listed voxels look.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/base/parallel.h"
 #include "core/render/effect_passes.h"
@@ -38,18 +39,17 @@ Circles make_circles(const Scene& scene, const ViewRays& rays, const Effect& eff
 
     Circles circles{std::vector<float>(frame.pixels()), std::vector<float>(frame.pixels()), {}};
     for (int k = 0; k < k_levels; ++k) circles.level_px[std::size_t(k)] = float(largest_px / (1 << (k_levels - 1 - k)));
-    parallel_for(
-        0, frame.size.y,
-        [&](std::int64_t y) {
-            std::size_t i = std::size_t(y) * std::size_t(frame.size.x);
-            for (int x = 0; x < frame.size.x; ++x, ++i) {
-                const double away = std::fabs(plane_depth_mm(rays, frame, x, int(y)) - focus_mm) / half_mm;
-                if (!std::isfinite(away) || !(frame.color[i].a > 0)) continue;
-                circles.radius_px[i] = float(std::min(away * px_per_distance, largest_px));
-                circles.distance[i] = float(std::min(away, 1.0));
-            }
-        },
-        job);
+    for_rows(frame.size.y, job, [&](int y) {
+        std::size_t i = std::size_t(y) * std::size_t(frame.size.x);
+        for (int x = 0; x < frame.size.x; ++x, ++i) {
+            if (!(frame.color[i].a > 0)) continue;
+            const double depth = rays.perspective ? plane_depth_mm(rays, frame, x, y) : double(frame.depth_mm[i]);
+            const double away = std::fabs(depth - focus_mm) / half_mm;
+            if (!(away <= std::numeric_limits<float>::max())) continue;
+            circles.radius_px[i] = float(std::min(away * px_per_distance, largest_px));
+            circles.distance[i] = float(std::min(away, 1.0));
+        }
+    });
     return circles;
 }
 
@@ -168,31 +168,27 @@ void depth_of_field(const Scene& scene, const ViewRays& rays, const Effect& effe
             level.size = (frame.size + 1) / 2;
             level.texels.resize(std::size_t(level.size.x) * std::size_t(level.size.y));
         }
-        parallel_for(
-            0, levels[0].size.y, [&](std::int64_t y) { gather_row(frame, circles, int(y), levels); }, job);
+        for_rows(levels[0].size.y, job, [&](int y) { gather_row(frame, circles, y, levels); });
         blur(circles, levels, job);
     }
-    parallel_for(
-        0, frame.size.y,
-        [&](std::int64_t y) {
-            std::size_t i = std::size_t(y) * std::size_t(frame.size.x);
-            for (int x = 0; x < frame.size.x; ++x, ++i) {
-                glm::vec4& pixel = frame.color[i];
-                const float radius = circles.radius_px[i];
-                if (blurs && radius > k_sharp_px) {
-                    int above = 0;
-                    while (above < k_levels - 1 && radius > circles.level_px[std::size_t(above)]) ++above;
-                    const float low = above > 0 ? circles.level_px[std::size_t(above - 1)] : 0;
-                    const float share = std::min(1.0f, (radius - low) / (circles.level_px[std::size_t(above)] - low));
-                    const glm::vec3 color = color_at(levels, above - 1, x, int(y), pixel) * (1 - share) +
-                                            color_at(levels, above, x, int(y), pixel) * share;
-                    pixel = glm::vec4(color, pixel.a);
-                }
-                if (dimming > 0 && circles.distance[i] > 0)
-                    pixel = glm::vec4(glm::vec3(pixel) * (1 - dimming * circles.distance[i]), pixel.a);
+    for_rows(frame.size.y, job, [&](int y) {
+        std::size_t i = std::size_t(y) * std::size_t(frame.size.x);
+        for (int x = 0; x < frame.size.x; ++x, ++i) {
+            glm::vec4& pixel = frame.color[i];
+            const float radius = circles.radius_px[i];
+            if (blurs && radius > k_sharp_px) {
+                int above = 0;
+                while (above < k_levels - 1 && radius > circles.level_px[std::size_t(above)]) ++above;
+                const float low = above > 0 ? circles.level_px[std::size_t(above - 1)] : 0;
+                const float share = std::min(1.0f, (radius - low) / (circles.level_px[std::size_t(above)] - low));
+                const glm::vec3 color = color_at(levels, above - 1, x, y, pixel) * (1 - share) +
+                                        color_at(levels, above, x, y, pixel) * share;
+                pixel = glm::vec4(color, pixel.a);
             }
-        },
-        job);
+            if (dimming > 0 && circles.distance[i] > 0)
+                pixel = glm::vec4(glm::vec3(pixel) * (1 - dimming * circles.distance[i]), pixel.a);
+        }
+    });
 }
 
 }  // namespace lacuna::effects

@@ -21,22 +21,35 @@ double plane_depth_mm(const ViewRays& rays, const Frame& frame, int x, int y) {
 }
 
 Relief make_relief(const ViewRays& rays, const Frame& frame, const JobContext& job) {
-    Relief relief{frame.size, std::vector<float>(frame.pixels()), std::vector<float>(frame.pixels())};
+    Relief relief{frame.size, std::vector<float>(frame.pixels()), std::vector<float>(frame.pixels()),
+                  std::vector<glm::ivec2>(std::size_t(frame.size.y))};
     const double d = rays.distance_mm;
-    parallel_for(
-        0, frame.size.y,
-        [&](std::int64_t y) {
-            std::size_t i = std::size_t(y) * std::size_t(frame.size.x);
-            for (int x = 0; x < frame.size.x; ++x, ++i) {
-                const double z = plane_depth_mm(rays, frame, x, int(y));
+    const int w = frame.size.x;
+    for_rows(frame.size.y, job, [&](int y) {
+        const std::size_t row = std::size_t(y) * std::size_t(w);
+        float *height = &relief.height[row], *scale = &relief.scale[row];
+        if (!rays.perspective) {
+            const float* depth = &frame.depth_mm[row];
+            for (int x = 0; x < w; ++x) {
+                const bool met = std::fabs(depth[x]) <= std::numeric_limits<float>::max();
+                height[x] = met ? -depth[x] : Relief::k_nothing;
+                scale[x] = met ? 1.0f : 0.0f;
+            }
+        } else {
+            for (int x = 0; x < w; ++x) {
+                const double z = plane_depth_mm(rays, frame, x, y);
                 const bool met = std::isfinite(z);
                 // An eye inside the object would divide by 0: nearer than a thousandth of the distance is that near.
-                const double near = rays.perspective ? std::max(z, 1e-3 * d) : z;
-                relief.height[i] = met ? float(rays.perspective ? d * d / near : -near) : Relief::k_nothing;
-                relief.scale[i] = met ? float(rays.perspective ? near / d : 1) : 0.0f;
+                const double near = std::max(z, 1e-3 * d);
+                height[x] = met ? float(d * d / near) : Relief::k_nothing;
+                scale[x] = met ? float(near / d) : 0.0f;
             }
-        },
-        job);
+        }
+        int begin = 0, end = w;
+        while (begin < end && !(scale[begin] > 0)) ++begin;
+        while (begin < end && !(scale[end - 1] > 0)) --end;
+        relief.met[std::size_t(y)] = {begin, end};
+    });
     return relief;
 }
 
@@ -61,19 +74,13 @@ void add_tap(const float* __restrict value, const float* __restrict height, cons
 struct RowSums {
     std::vector<float> sum, weights;
     explicit RowSums(int n) : sum(std::size_t(n)), weights(std::size_t(n)) {}
-    void clear() {
-        std::fill(sum.begin(), sum.end(), 0.0f);
-        std::fill(weights.begin(), weights.end(), 0.0f);
+    void write(const float* __restrict scale, int n, float* __restrict out) const {
+        for (int x = 0; x < n; ++x) {
+            const auto i = std::size_t(x);
+            const float mean = sum[i] / (weights[i] > 0 ? weights[i] : 1.0f);
+            out[x] = scale[x] > 0 ? mean : 0.0f;
+        }
     }
-    void write(float* out) const {
-        for (std::size_t x = 0; x < sum.size(); ++x) out[x] = sum[x] / (weights[x] > 0 ? weights[x] : 1.0f);
-    }
-};
-
-/// Where a tap at offset o along a line of n finds its pixels: out[begin, end) reads in[begin + o, end + o).
-struct Overlap {
-    int begin, end;
-    Overlap(int o, int n) : begin(std::max(0, -o)), end(std::min(n, n - o)) {}
 };
 
 }  // namespace
@@ -82,51 +89,46 @@ void smooth_by_depth(const Relief& relief, double reach_mm, std::vector<float>& 
     const int w = relief.size.x, h = relief.size.y;
     const float per_reach = float(1 / reach_mm);
     std::vector<float> rows_done(image.size());
-    parallel_for(
-        0, h,
-        [&](std::int64_t y) {
-            RowSums sums(w);
-            sums.clear();
-            const std::size_t row = std::size_t(y) * std::size_t(w);
-            for (int o = -k_reach; o <= k_reach; ++o) {
-                const Overlap at(o, w);
-                if (at.begin >= at.end) continue;
-                add_tap(&image[row] + at.begin + o, &relief.height[row] + at.begin + o, &relief.height[row] + at.begin,
-                        &relief.scale[row] + at.begin, at.end - at.begin, per_reach, k_tap[o + k_reach],
-                        sums.sum.data() + at.begin, sums.weights.data() + at.begin);
-            }
-            sums.write(&rows_done[row]);
-        },
-        job);
-    parallel_for(
-        0, h,
-        [&](std::int64_t y) {
-            RowSums sums(w);
-            sums.clear();
-            const std::size_t row = std::size_t(y) * std::size_t(w);
-            for (std::int64_t other = std::max<std::int64_t>(0, y - k_reach);
-                 other <= std::min<std::int64_t>(h - 1, y + k_reach); ++other) {
-                const std::size_t from = std::size_t(other) * std::size_t(w);
-                add_tap(&rows_done[from], &relief.height[from], &relief.height[row], &relief.scale[row], w, per_reach,
-                        k_tap[other - y + k_reach], sums.sum.data(), sums.weights.data());
-            }
-            sums.write(&image[row]);
-        },
-        job);
+    for_rows(h, job, [&](int y) {
+        const glm::ivec2 met = relief.met[std::size_t(y)];
+        if (met.x == met.y) return;
+        RowSums sums(met.y - met.x);
+        const std::size_t row = std::size_t(y) * std::size_t(w);
+        for (int o = -k_reach; o <= k_reach; ++o) {
+            // The tap's pixels within the picture: out[begin, end) reads in[begin + o, end + o).
+            const int begin = std::max(met.x, -o), end = std::min(met.y, w - o);
+            if (begin >= end) continue;
+            add_tap(&image[row] + begin + o, &relief.height[row] + begin + o, &relief.height[row] + begin,
+                    &relief.scale[row] + begin, end - begin, per_reach, k_tap[o + k_reach],
+                    sums.sum.data() + (begin - met.x), sums.weights.data() + (begin - met.x));
+        }
+        sums.write(&relief.scale[row] + met.x, met.y - met.x, &rows_done[row] + met.x);
+    });
+    for_rows(h, job, [&](int y) {
+        const glm::ivec2 met = relief.met[std::size_t(y)];
+        if (met.x == met.y) return;
+        const int n = met.y - met.x;
+        RowSums sums(n);
+        const std::size_t row = std::size_t(y) * std::size_t(w) + std::size_t(met.x);
+        for (int other = std::max(0, y - k_reach); other <= std::min(h - 1, y + k_reach); ++other) {
+            const std::size_t from = std::size_t(other) * std::size_t(w) + std::size_t(met.x);
+            add_tap(&rows_done[from], &relief.height[from], &relief.height[row], &relief.scale[row], n, per_reach,
+                    k_tap[other - y + k_reach], sums.sum.data(), sums.weights.data());
+        }
+        sums.write(&relief.scale[row], n, &image[row]);
+    });
 }
 
 void darken(const std::vector<float>& occlusion, double strength, Frame& frame, const JobContext& job) {
-    parallel_for(
-        0, frame.size.y,
-        [&](std::int64_t y) {
-            std::size_t i = std::size_t(y) * std::size_t(frame.size.x);
-            for (int x = 0; x < frame.size.x; ++x, ++i) {
-                const float light = std::max(0.0f, 1 - float(strength) * occlusion[i]);
-                glm::vec4& pixel = frame.color[i];
-                pixel = glm::vec4(pixel.r * light, pixel.g * light, pixel.b * light, pixel.a);
-            }
-        },
-        job);
+    for_rows(frame.size.y, job, [&](int y) {
+        std::size_t i = std::size_t(y) * std::size_t(frame.size.x);
+        for (int x = 0; x < frame.size.x; ++x, ++i) {
+            if (occlusion[i] == 0) continue;
+            const float light = std::max(0.0f, 1 - float(strength) * occlusion[i]);
+            glm::vec4& pixel = frame.color[i];
+            pixel = glm::vec4(pixel.r * light, pixel.g * light, pixel.b * light, pixel.a);
+        }
+    });
 }
 
 }  // namespace effects

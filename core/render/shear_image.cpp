@@ -73,8 +73,12 @@ void warp(const ShearImage& image, const Shear& shear, Frame& frame, const JobCo
         }
         met[std::size_t(y)] = std::uint64_t(last - first);
     };
-    parallel_for(
-        0, frame.size.y, [&](std::int64_t y) { warp_row(int(y)); }, job);
+    parallel_bands(
+        0, frame.size.y, 8 * thread_count(),
+        [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t y = begin; y < end; ++y) warp_row(int(y));
+        },
+        job);
     for (const std::uint64_t row : met) frame.counters.rays += row;
 }
 

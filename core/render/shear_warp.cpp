@@ -26,7 +26,7 @@ Solid solid_of(const Scene& scene, const Plan& plan) {
 
 float facing(const VoxelLook& look, const glm::vec3& direction_grid) {
     const glm::vec3 normal(look.normal[0], look.normal[1], look.normal[2]);
-    return std::fmin(std::fabs(glm::dot(normal, direction_grid)) / 32767, 1.0f);
+    return std::min(std::fabs(glm::dot(normal, direction_grid)) / 32767, 1.0f);
 }
 
 /// Paints rows [first, last) back to front, key_of(number of the voxel) into each pixel. Bands of rows never meet, so
@@ -69,39 +69,24 @@ void color_band(ShearImage& image, int first, int last, ColorOf&& color_of) {
 
 }  // namespace
 
-/// Lambert's shades: the light moves with the eye, so they hold for one viewing direction, whatever the zoom.
-void ShearWarpRenderer::bake(const std::shared_ptr<const VisibleVoxels>& lists, const Scene& scene,
-                             const glm::dvec3& direction_grid) {
-    const Baked wanted{lists, direction_grid, scene.shading, scene.window};
-    if (baked_ == wanted) return;
-    baked_ = {};
-    shade_.resize(lists->look.size());
-    const glm::vec3 direction(direction_grid);
-    parallel_bands(0, std::int64_t(shade_.size()), thread_count(), [&](std::int64_t first, std::int64_t last) {
-        for (std::int64_t n = first; n < last; ++n) {
-            const auto i = std::size_t(n);
-            const VoxelLook& look = lists->look[i];
-            if (look.kind == VoxelLook::cap)
-                shade_[i] = k_cap_shade + float(grey_level(scene.window, look.value));
-            else
-                shade_[i] = scene.shading == Shading::none ? 1.0f : 0.2f + 0.8f * facing(look, direction);
-        }
-    });
-    baked_ = wanted;
-}
-
-void ShearWarpRenderer::paint_voxels(const std::shared_ptr<const VisibleVoxels>& lists, const Scene& scene,
-                                     const glm::dvec3& forward, const Shear& shear, const JobContext& job) {
+void ShearWarpRenderer::paint_voxels(const VisibleVoxels& lists, const Scene& scene, const glm::dvec3& forward,
+                                     const Shear& shear, const JobContext& job) {
     const glm::dvec3 direction_grid = glm::transpose(scene.volume.geometry().direction) * forward;
     const glm::vec3 surface(scene.surface_color), direction(direction_grid);
     const bool deferred = scene.shading == Shading::phong;
-    if (!deferred) bake(lists, scene, direction_grid);
+    const float ambient = scene.shading == Shading::lambert ? 0.2f : 1.0f, diffuse = 1 - ambient;
+    const auto baked_shade = [&](std::uint32_t key) {
+        const VoxelLook& look = lists.look[key];
+        return std::bit_cast<std::uint32_t>(look.kind == VoxelLook::cap
+                                                ? k_cap_shade + float(grey_level(scene.window, look.value))
+                                                : ambient + diffuse * facing(look, direction));
+    };
     const auto baked_color = [&](std::uint32_t key) {
         const auto shade = std::bit_cast<float>(key);
         return glm::vec4(shade >= k_cap_shade ? glm::vec3(shade - k_cap_shade) : surface * shade, 1);
     };
     const auto phong_color = [&](std::uint32_t key) {
-        const VoxelLook& look = lists->look[key];
+        const VoxelLook& look = lists.look[key];
         if (look.kind == VoxelLook::cap) return glm::vec4(glm::vec3(float(grey_level(scene.window, look.value))), 1);
         const float c = facing(look, direction), c4 = c * c * c * c, c16 = c4 * c4 * c4 * c4;
         return glm::vec4(surface * (0.2f + 0.7f * c) + 0.3f * (c16 * c4), 1);
@@ -111,12 +96,10 @@ void ShearWarpRenderer::paint_voxels(const std::shared_ptr<const VisibleVoxels>&
                        const int first = int(begin), last = int(end);
                        if (deferred) {
                            paint_band(
-                               *lists, shear, image_, first, last, [](std::uint32_t i) { return i; }, job);
+                               lists, shear, image_, first, last, [](std::uint32_t i) { return i; }, job);
                            color_band(image_, first, last, phong_color);
                        } else {
-                           paint_band(
-                               *lists, shear, image_, first, last,
-                               [&](std::uint32_t i) { return std::bit_cast<std::uint32_t>(shade_[i]); }, job);
+                           paint_band(lists, shear, image_, first, last, baked_shade, job);
                            color_band(image_, first, last, baked_color);
                        }
                    },
@@ -155,7 +138,7 @@ Frame ShearWarpRenderer::render(const Scene& scene, const Plan& plan, const JobC
             },
             job.part(0.5, 0.9));
     else
-        paint_voxels(voxels, scene, rays.forward, shear, job);
+        paint_voxels(*voxels, scene, rays.forward, shear, job);
 
     Frame frame;
     frame.size = scene.size;
@@ -170,8 +153,6 @@ Frame ShearWarpRenderer::render(const Scene& scene, const Plan& plan, const JobC
     return frame;
 }
 
-std::size_t ShearWarpRenderer::bytes_held() const {
-    return lists_.bytes_held() + image_.bytes() + shade_.size() * sizeof(shade_[0]);
-}
+std::size_t ShearWarpRenderer::bytes_held() const { return lists_.bytes_held() + image_.bytes(); }
 
 }  // namespace lacuna

@@ -15,11 +15,11 @@ namespace lacuna {
 /// z-buffer, and that is warped to the picture with bilinear sampling. Spacing and an oblique grid enter through the
 /// shear and the warp. Lists are extracted when their region is first looked from, and kept for the last solid.
 ///
-/// Plan::sampler nearest (while moving): slices move by whole voxels, one voxel one pixel. Lambert bakes a shade per
-/// voxel and view direction, Phong keeps the normals for the pixels that stay visible. A voxel lies at most half a
-/// voxel beside its place in u and v and is drawn half a slice before its centre, so the depth is within 1.5 voxel
-/// diagonals where the surface is not steeper than 45 degrees; behind an open cut the shell of surface voxels, up to
-/// two thick, is seen from within.
+/// Plan::sampler nearest (while moving): slices move by whole voxels, one voxel one pixel. Lambert's shade is computed
+/// a voxel as it is painted (the light moves with the eye: no shade holds for longer), Phong keeps the normals for the
+/// pixels that stay visible. A voxel lies at most half a voxel beside its place in u and v and is drawn half a slice
+/// before its centre, so the depth is within 1.6 voxel diagonals where the surface is not steeper than 45 degrees;
+/// behind an open cut the shell of surface voxels, up to two thick, is seen from within.
 /// Plan::sampler linear (when still): see paint_cells().
 ///
 /// Where the principal axis switches, the picture pops: the samples of the two factorisations differ. One caller at a
@@ -36,23 +36,11 @@ public:
     void drop() { *this = {}; }
 
 private:
-    void paint_voxels(const std::shared_ptr<const VisibleVoxels>& lists, const Scene& scene, const glm::dvec3& forward,
-                      const Shear& shear, const JobContext& job);
-    void bake(const std::shared_ptr<const VisibleVoxels>& lists, const Scene& scene, const glm::dvec3& direction_grid);
+    void paint_voxels(const VisibleVoxels& lists, const Scene& scene, const glm::dvec3& forward, const Shear& shear,
+                      const JobContext& job);
 
     VisibleVoxelCache lists_;
     ShearImage image_;
-
-    /// What the baked shades hold for.
-    struct Baked {
-        std::shared_ptr<const VisibleVoxels> lists;
-        glm::dvec3 direction_grid{0};
-        Shading shading = Shading::none;
-        ValueRange window;
-        friend bool operator==(const Baked&, const Baked&) = default;
-    };
-    Baked baked_;
-    std::vector<float> shade_;  ///< a voxel: the surface colour's factor, or k_cap_shade + grey
 };
 
 }  // namespace lacuna

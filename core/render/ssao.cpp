@@ -114,30 +114,28 @@ void screen_space_occlusion(const Scene& scene, const ViewRays& rays, const Effe
 
     const Relief relief = make_relief(rays, frame, job);
     Interleaved planes(relief, int(std::ceil(radius_px)) + 1);
-    parallel_for(
-        0, frame.size.y, [&](std::int64_t y) { planes.fill_row(relief, int(y)); }, job);
+    for_rows(frame.size.y, job, [&](int y) { planes.fill_row(relief, y); });
 
     const auto patterns = make_patterns(radius_px, rays.pixel_mm);
+    const auto per_radius = float(1 / radius_mm);
     std::vector<float> occlusion(frame.pixels());
-    parallel_for(
-        0, frame.size.y,
-        [&](std::int64_t row) {
-            const int y = int(row), w = frame.size.x, n = planes.width();
-            const std::size_t first = std::size_t(y) * std::size_t(w);
-            std::vector<float> sum(static_cast<std::size_t>(n)), scale(static_cast<std::size_t>(n));
-            for (int phase = 0; phase < std::min(k_tile, w); ++phase) {
-                std::fill(sum.begin(), sum.end(), 0.0f);
-                std::fill(scale.begin(), scale.end(), 0.0f);
-                for (int x = phase, i = 0; x < w; x += k_tile, ++i)
-                    scale[std::size_t(i)] = relief.scale[first + std::size_t(x)];
-                for (const Offset& o : patterns[std::size_t((y % k_tile) * k_tile + phase)])
-                    add_pair(planes.from(phase, y), scale.data(), planes.from(phase + o.x, y + o.y),
-                             planes.from(phase - o.x, y - o.y), n, o.per_mm, float(1 / radius_mm), sum.data());
-                for (int x = phase, i = 0; x < w; x += k_tile, ++i)
-                    occlusion[first + std::size_t(x)] = sum[std::size_t(i)] / (2 * k_pairs);
-            }
-        },
-        job);
+    for_rows(frame.size.y, job, [&](int y) {
+        const glm::ivec2 met = relief.met[std::size_t(y)];
+        const std::size_t first = std::size_t(y) * std::size_t(frame.size.x);
+        std::vector<float> sum(std::size_t(planes.width())), scale(sum.size());
+        for (int phase = 0; phase < k_tile; ++phase) {
+            const int begin = std::max(0, (met.x - phase + k_tile - 1) / k_tile);
+            const int n = (met.y - phase + k_tile - 1) / k_tile - begin;
+            if (n <= 0) continue;
+            std::fill(sum.begin(), sum.end(), 0.0f);
+            const std::size_t from = first + std::size_t(phase + begin * k_tile);
+            for (int i = 0; i < n; ++i) scale[std::size_t(i)] = relief.scale[from + std::size_t(i * k_tile)];
+            for (const Offset& o : patterns[std::size_t((y % k_tile) * k_tile + phase)])
+                add_pair(planes.from(phase, y) + begin, scale.data(), planes.from(phase + o.x, y + o.y) + begin,
+                         planes.from(phase - o.x, y - o.y) + begin, n, o.per_mm, per_radius, sum.data());
+            for (int i = 0; i < n; ++i) occlusion[from + std::size_t(i * k_tile)] = sum[std::size_t(i)] / (2 * k_pairs);
+        }
+    });
     smooth_by_depth(relief, std::max(0.25 * radius_mm, 2 * rays.pixel_mm), occlusion, job);
     darken(occlusion, strength * k_gain, frame, job);
 }

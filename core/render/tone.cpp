@@ -36,25 +36,38 @@ inline float power_of(float x, float power) {
 /// Calls change(pixel, opacity) for every pixel that is not fully transparent.
 template <class Change>
 void for_each_pixel(Frame& frame, const JobContext& job, Change&& change) {
-    parallel_for(
-        0, frame.size.y,
-        [&](std::int64_t y) {
-            glm::vec4* row = &frame.color[std::size_t(y) * std::size_t(frame.size.x)];
-            for (int x = 0; x < frame.size.x; ++x)
-                if (row[x].a > 0) change(row[x]);
-        },
-        job);
+    for_rows(frame.size.y, job, [&](int y) {
+        glm::vec4* row = &frame.color[std::size_t(y) * std::size_t(frame.size.x)];
+        for (int x = 0; x < frame.size.x; ++x)
+            if (row[x].a > 0) change(row[x]);
+    });
+}
+
+/// colour^power; colours at or below 0 (or NaN) have no power: black.
+void raise(const float* __restrict color, int n, float power, float* __restrict out) {
+    for (int i = 0; i < n; ++i) {
+        const float bounded = color[i] < 1e30f ? color[i] : 1e30f;
+        const float raised = power_of(bounded > 1e-30f ? bounded : 1.0f, power);
+        out[i] = color[i] > 1e-30f ? raised : 0.0f;
+    }
 }
 
 void gamma_curve(double gamma, Frame& frame, const JobContext& job) {
     const float power = float(1 / gamma);
-    for_each_pixel(frame, job, [=](glm::vec4& pixel) {
-        const float per_opacity = 1 / pixel.a;
-        for (int c = 0; c < 3; ++c) {
-            const float color = pixel[c] * per_opacity;
-            // Colours at or below 0 (or NaN) have no power: black.
-            pixel[c] = color > 1e-30f ? power_of(std::min(color, 1e30f), power) * pixel.a : 0.0f;
+    for_rows(frame.size.y, job, [&](int y) {
+        glm::vec4* row = &frame.color[std::size_t(y) * std::size_t(frame.size.x)];
+        std::vector<float> color, raised;
+        std::vector<glm::vec4*> at;  // the row's visible pixels
+        for (int x = 0; x < frame.size.x; ++x) {
+            if (!(row[x].a > 0)) continue;
+            at.push_back(&row[x]);
+            const float per_opacity = 1 / row[x].a;
+            for (int c = 0; c < 3; ++c) color.push_back(row[x][c] * per_opacity);
         }
+        raised.resize(color.size());
+        raise(color.data(), int(color.size()), power, raised.data());
+        for (std::size_t i = 0; i < at.size(); ++i)
+            for (int c = 0; c < 3; ++c) (*at[i])[c] = raised[3 * i + std::size_t(c)] * at[i]->a;
     });
 }
 

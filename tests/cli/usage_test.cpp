@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
                       BadWord{"--range", "1,2,3"}, BadWord{"--cut", "1,0,0"}, BadWord{"--cut", "1,0,0,2:shut"},
                       BadWord{"--step", "0"}, BadWord{"--step", "-0.5"}, BadWord{"--sampler", "cubic"},
                       BadWord{"--gradient", "sobel"}, BadWord{"--refine", "magic"}, BadWord{"--refine-steps", "2.5"},
-                      BadWord{"--structure", "hedge"}, BadWord{"--ert", "1"}, BadWord{"--ert", "-0.1"},
+                      BadWord{"--structure", "hedge"}, BadWord{"--directions", "7"}, BadWord{"--voxel-gradient", "prewitt"}, BadWord{"--ert", "1"}, BadWord{"--ert", "-0.1"},
                       BadWord{"--turntable", "0"}, BadWord{"--mode", "xray"}, BadWord{"--shading", "gouraud"},
                       BadWord{"--window", "5"}, BadWord{"--tf", "preset:rainbow"}, BadWord{"--memory-limit", "lots"}));
 

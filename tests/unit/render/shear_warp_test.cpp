@@ -32,12 +32,13 @@ Frame shear_warp(Scene scene, Sampler sampler, ShearWarpRenderer* renderer = nul
 
 constexpr Sampler k_samplers[] = {Sampler::nearest, Sampler::linear};
 
-/// Against the iso reference: where shading shows a surface not steeper than 45 degrees, and its neighbours agree.
-Agreement compare_with_rays(Scene scene, const Frame& warped) {
+Frame truth_of(Scene scene) {
     scene.mode = ViewMode::iso;
-    scene.shading = Shading::lambert;
-    scene.surface_color = glm::dvec3(1);
-    const Frame truth = render_reference(scene, brute_force(0.25));
+    return render_reference(scene, brute_force(0.25));
+}
+
+/// Against the iso reference: where the surface is not steeper than 45 degrees and its neighbours agree.
+Agreement compare_with_rays(const Scene& scene, const Frame& warped, const Frame& truth) {
     const double pixel = resolve(scene.camera, scene.volume.geometry(), scene.size).pixel_mm;
     Agreement agreement;
     double both = 0, either = 0;
@@ -97,12 +98,13 @@ TEST(ShearWarp, AgreesWithRaysFromAllSixSidesAndBetween) {
             SCOPED_TRACE(testing::Message()
                          << azimuth << ' ' << elevation << " z " << c.spacing.z << " turned " << c.turn_deg);
             const bool coarse = c.spacing.z > 3;  // 14 slices through the ball
-            const Agreement rough = compare_with_rays(scene, shear_warp(scene, Sampler::nearest, &renderer));
+            const Frame truth = truth_of(scene);
+            const Agreement rough = compare_with_rays(scene, shear_warp(scene, Sampler::nearest, &renderer), truth);
             EXPECT_GT(rough.overlap, coarse ? 0.88 : c.spacing.z > 1 ? 0.95 : 0.97);
             EXPECT_GT(rough.compared, 2000);
             EXPECT_LT(rough.worst_mm, 1.6 * diagonal);
             EXPECT_LT(rough.typical_mm, 0.4 * diagonal);
-            const Agreement smooth = compare_with_rays(scene, shear_warp(scene, Sampler::linear, &renderer));
+            const Agreement smooth = compare_with_rays(scene, shear_warp(scene, Sampler::linear, &renderer), truth);
             EXPECT_GT(smooth.overlap, rough.overlap - 0.005);
             EXPECT_GT(smooth.compared, 2000);
             EXPECT_LT(smooth.worst_mm, 0.6 * diagonal);
@@ -145,7 +147,7 @@ TEST(ShearWarp, AFullVolumeShowsItsFaces) {
     const Frame truth = render_reference(scene, brute_force(0.5));
     for (const Sampler sampler : k_samplers) {
         const Frame shaded = shear_warp(scene, sampler);
-        EXPECT_GT(compare_with_rays(scene, shaded).overlap, 0.93);  // one voxel of 3 mm is a large share here
+        EXPECT_GT(compare_with_rays(scene, shaded, truth).overlap, 0.93);  // one voxel of 3 mm is a large share here
         int alike = 0, count = 0;
         for (std::size_t i = 0; i < truth.pixels(); ++i) {
             if (!(truth.color[i].a > 0.5f && shaded.color[i].a > 0.999f)) continue;
@@ -169,7 +171,7 @@ TEST(ShearWarp, CutsCapOrOpenAsRaysDo) {
             const bool linear = sampler == Sampler::linear;
             SCOPED_TRACE(testing::Message() << cap << linear);
             const Frame warped = shear_warp(scene, sampler);
-            const Agreement agreement = compare_with_rays(scene, warped);
+            const Agreement agreement = compare_with_rays(scene, warped, truth);
             EXPECT_GT(agreement.overlap, 0.97);
             EXPECT_GT(agreement.compared, 1000);
             // The open shell is up to two voxels thick; rays see its outside, whole voxels its inside.
