@@ -171,36 +171,33 @@ private:
     const JobContext& job_;
 };
 
-template <class T>
-void mark_ineligible(const Volume& volume, const std::optional<ValueRange>& background,
-                     std::vector<std::uint32_t>& labels, const JobContext& job) {
-    if (std::is_integral_v<T> && !background) return;
-    const glm::ivec3 size = volume.geometry().size;
-    const std::int64_t slice = std::int64_t(size.x) * size.y;
-    const T* values = volume.view<T>().data;
-    parallel_for(
-        0, size.z,
-        [&](std::int64_t z) {
-            for (std::int64_t i = z * slice; i < (z + 1) * slice; ++i) {
-                const double value = double(values[i]);
-                if (!std::isfinite(value) || (background && background->contains(value)))
-                    labels[std::size_t(i)] = k_never;
-            }
-        },
-        job);
-}
-
 }  // namespace
 
-ProvisionalLabels grow_regions(const Volume& volume, double width, const std::optional<ValueRange>& background,
-                               Connectivity connectivity, std::int64_t min_voxels, const JobContext& job) {
+ProvisionalLabels grow_regions(const Volume& volume, double width, const RegionOptions& options,
+                               const JobContext& job) {
+    const glm::ivec3 size = volume.geometry().size;
     ProvisionalLabels result;
     result.labels = std::make_shared<std::vector<std::uint32_t>>(std::size_t(volume.geometry().voxel_count()), 0u);
+    if (volume.type() == VoxelType::f32 || options.background || options.gradient_limit) {
+        const runs::MarkRow eligible = mark_eligible(volume, options);
+        parallel_for(
+            0, size.z,
+            [&](std::int64_t z) {
+                std::vector<std::uint8_t> marks(std::size_t(size.x));
+                for (int y = 0; y < size.y; ++y) {
+                    eligible(y, int(z), marks.data());
+                    std::uint32_t* row = result.labels->data() + volume.geometry().linear_index(0, y, int(z));
+                    for (int x = 0; x < size.x; ++x)
+                        if (!marks[std::size_t(x)]) row[x] = k_never;
+                }
+            },
+            job.part(0, 0.05));
+    }
     visit_type(volume.type(), [&](auto tag) {
         using T = decltype(tag);
-        mark_ineligible<T>(volume, background, *result.labels, job.part(0, 0.05));
         const JobContext growing = job.part(0.05, 1);
-        result.voxels = Grower<T>(volume, *result.labels, width, connectivity, min_voxels, growing).grow_all();
+        result.voxels =
+            Grower<T>(volume, *result.labels, width, options.connectivity, options.min_voxels, growing).grow_all();
     });
     return result;
 }
