@@ -29,6 +29,7 @@ void add_convert_command(CLI::App& app, Action& chosen) {
     auto input = std::make_shared<InputOptions>();
     auto target = std::make_shared<std::string>();
     input->add_to(*command);
+    input->add_smooth(*command);
     command->add_option("OUT", *target, "file or folder to write")->required();
     command->callback([&chosen, input, target] {
         chosen = [input, target](Console& console) {

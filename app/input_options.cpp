@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "app/parse.h"
+#include "core/volume/smooth.h"
 
 namespace lacuna::cli {
 
@@ -25,7 +26,15 @@ void InputOptions::add_to(CLI::App& command, bool required) {
     command.add_option("--memory-limit", memory_limit_text, "MB it may use (default: 75 % of the machine's memory)");
 }
 
+void InputOptions::add_smooth(CLI::App& command) {
+    command.add_option("--smooth", smooth_text, "MM: smooth by a Gaussian of this standard deviation, in mm, first");
+}
+
 void InputOptions::check() {
+    if (!smooth_text.empty()) {
+        smooth_mm = parse_number("--smooth", smooth_text);
+        if (!(smooth_mm > 0)) refuse("--smooth", smooth_text, "a length in mm above 0");
+    }
     if (!memory_limit_text.empty()) parse_integer("--memory-limit", memory_limit_text, 1, std::int64_t(1) << 30);
     if (spacing_text.empty()) return;
     const std::vector<double> s = parse_numbers("--spacing", spacing_text, 3);
@@ -76,6 +85,10 @@ Volume InputOptions::load(const Console& console) const {
     }
     Volume volume = open_volume(input, open, console.job("Reading"));
     require_memory(volume.bytes(), "The volume");
+    if (smooth_mm > 0) {
+        require_memory(volume.bytes() + gaussian_smooth_bytes(volume), "Smoothing the volume");
+        volume = gaussian_smooth(volume, smooth_mm, console.job("Smoothing"));
+    }
     if (say_warnings)
         for (const Warning& warning : volume.warnings) console.note_at_end("warning: " + warning.text);
     return volume;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "app/parse.h"
 
@@ -29,6 +30,7 @@ std::optional<double> optional_number(const std::string& flag, const std::option
 
 void RenderOptions::add_to(CLI::App& command) {
     input.add_to(command, false);
+    input.add_smooth(command);
     command.add_option("-o,--output", output, "picture to write, OUT.png");
     const auto word = [&](const char* flag, std::optional<std::string>& text, const char* meaning) {
         command.add_option(flag, text, meaning);
@@ -52,9 +54,11 @@ void RenderOptions::add_to(CLI::App& command) {
     word("--center", words_.center, "x,y,z in mm (default: the volume's centre)");
     word("--perspective", words_.perspective, "field of view, degrees (default: orthographic)");
     word("--step", words_.step, "sample distance in smallest voxel spacings (default 0.5)");
-    word("--sampler", words_.sampler, "nearest or linear (default)");
-    word("--gradient", words_.gradient, "central, on-the-fly (the one there is)");
-    word("--refine", words_.refine, "none, bisect, regula-falsi (default) or newton (iso)");
+    word("--sampler", words_.sampler, "nearest, linear (default) or adaptive (nearest where it cannot matter)");
+    word("--gradient", words_.gradient,
+         "central (default) or sobel, on-the-fly (default) or stored; one of each: sobel,stored");
+    word("--integration", words_.integration, "riemann (default), or preintegrated segments between samples (ea)");
+    word("--refine", words_.refine, "none, bisect, regula-falsi (default), regula-falsi-plain, newton or cubic (iso)");
     word("--refine-steps", words_.refine_steps, "most refinement steps (default 5)");
     word("--structure", words_.structure,
          "auto (default), none, macrocells, octree, pyramid, pc, acd, eacd or visible (shear-warp)");
@@ -62,7 +66,8 @@ void RenderOptions::add_to(CLI::App& command) {
     word("--brick", words_.brick, "voxels a brick edge, 8 to 1024 (default: bricks only of what does not fit whole)");
     word("--homogeneity", words_.homogeneity, "T[,A]: opacities (octree: values) and angles that count as equal");
     word("--sparse", words_.sparse,
-         "K[,G]: cast every K-th pixel, all where colours differ by more than G (0..1, default 0.02)");
+         "K[,G][,aware]: cast every K-th pixel, all where colours differ by more than G (0..1, default 0.02); aware: "
+         "and where the structure allows for more than the cast rays met");
     word("--directions", words_.directions, "regions of viewing directions of shear-warp: 6 or 24 (default)");
     word("--voxel-gradient", words_.voxel_gradient,
          "normals of shear-warp with --sampler nearest: central, sobel (default) or gaussian");
@@ -138,7 +143,10 @@ void RenderOptions::parse_plan() {
     if (words_.structure && *words_.structure != "auto")
         structure_ = for_flag("--structure", [&] { return parse_structure(*words_.structure); });
     if (words_.sparse) {
-        const std::string& text = *words_.sparse;
+        std::string text = *words_.sparse;
+        constexpr std::string_view k_aware = ",aware";
+        sparse_aware_ = text.ends_with(k_aware);
+        if (sparse_aware_) text.resize(text.size() - k_aware.size());
         const std::vector<double> v = parse_numbers("--sparse", text, text.find(',') == std::string::npos ? 1 : 2);
         if (!(v[0] >= 2 && v[0] <= 64) || v[0] != int(v[0])) refuse("--sparse", text, "a whole number from 2 to 64");
         sparse_ = int(v[0]);
@@ -166,10 +174,11 @@ void RenderOptions::parse_plan() {
     if (words_.voxel_gradient)
         voxel_gradient_ = for_flag("--voxel-gradient", [&] { return parse_voxel_gradient(*words_.voxel_gradient); });
     if (words_.gradient) {
-        const std::string& g = *words_.gradient;
-        if (g != "central" && g != "on-the-fly" && g != "central,on-the-fly" && g != "on-the-fly,central")
-            refuse("--gradient", g, "central, on-the-fly or central,on-the-fly");
+        gradient_.emplace(GradientFilter::central, GradientStore::on_the_fly);
+        for_flag("--gradient", [&] { parse_gradient(*words_.gradient, gradient_->first, gradient_->second); });
     }
+    if (words_.integration)
+        integration_ = for_flag("--integration", [&] { return parse_integration(*words_.integration); });
 }
 
 void RenderOptions::check_combinations() const {
@@ -255,13 +264,24 @@ Plan RenderOptions::plan(const Scene& scene) const {
     take(plan.sampler, sampler_, "--sampler");
     take(plan.refine, refine_, "--refine");
     take(plan.refine_steps, refine_steps_, "--refine-steps");
+    if (gradient_) {
+        std::tie(plan.gradient, plan.gradient_store) = *gradient_;
+        plan.why.push_back("--gradient as asked for");
+    }
+    take(plan.integration, integration_, "--integration");
     take(plan.ert, ert_, "--ert");
+    if (ert_ && scene.mode == ViewMode::ea) plan.why.push_back(termination_reason(plan.ert, scene.shading));
+    add_method_reasons(plan, scene);
+    if (input.smooth_mm > 0)
+        plan.why.push_back(
+            fmt::format("Smoothed by a Gaussian of {:g} mm before anything else, as asked for.", input.smooth_mm));
     take(plan.cells, cells_, "--cells");
     take(plan.brick, brick_, "--brick");
     take(plan.sparse, sparse_, "--sparse");
     if (sparse_gradient_) plan.sparse_gradient = *sparse_gradient_;
     take(plan.directions, directions_, "--directions");
     take(plan.voxel_gradient, voxel_gradient_, "--voxel-gradient");
+    plan.sparse_aware = sparse_aware_;
     take(plan.homogeneity, homogeneity_, "--homogeneity");
     if (homogeneity_angle_) plan.homogeneity_angle_deg = *homogeneity_angle_;
     return plan;

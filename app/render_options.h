@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/input_options.h"
@@ -47,8 +48,8 @@ private:
     };
     struct Words {
         std::optional<std::string> mode, iso, tf, window, shading, lmip_threshold, size, azimuth, elevation, roll, zoom,
-            center, perspective, step, sampler, gradient, refine, refine_steps, structure, cells, brick, homogeneity,
-            sparse, ert, turntable, directions, voxel_gradient;
+            center, perspective, step, sampler, gradient, integration, refine, refine_steps, structure, cells, brick,
+            homogeneity, sparse, ert, turntable, directions, voxel_gradient;
         std::vector<std::string> ranges, cuts, effects;
     };
 
@@ -67,6 +68,7 @@ private:
     std::optional<double> sparse_gradient_;
     std::optional<int> directions_;
     std::optional<VoxelGradient> voxel_gradient_;
+    bool sparse_aware_ = false;
     std::optional<ValueRange> window_;
     std::optional<Shading> shading_;
     std::optional<TfChoice> tf_;
@@ -79,6 +81,8 @@ private:
     std::optional<Sampler> sampler_;
     std::optional<Refinement> refine_;
     std::optional<int> refine_steps_;
+    std::optional<std::pair<GradientFilter, GradientStore>> gradient_;
+    std::optional<Integration> integration_;
     int turntable_ = 1;
 };
 

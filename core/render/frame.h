@@ -9,9 +9,10 @@ namespace lacuna {
 /// Work done for one frame. Counting costs time, so renderers fill these only when asked to (see Engine::render).
 struct Counters {
     std::uint64_t rays = 0;             ///< rays that meet the volume's box
-    std::uint64_t samples = 0;          ///< lattice samples reconstructed
+    std::uint64_t samples = 0;          ///< lattice samples reconstructed (refinement cubic: cells solved)
     std::uint64_t skipped = 0;          ///< lattice samples a structure jumped over (not those after termination)
     std::uint64_t structure_reads = 0;  ///< look-ups in the structure
+    std::uint64_t trilinear = 0;        ///< of the samples, those made from eight voxels
     std::uint64_t not_converged = 0;    ///< iso hits whose Newton refinement left its bracket (reference renderer only)
 
     Counters& operator+=(const Counters& other) {
@@ -19,6 +20,7 @@ struct Counters {
         samples += other.samples;
         skipped += other.skipped;
         structure_reads += other.structure_reads;
+        trilinear += other.trilinear;
         not_converged += other.not_converged;
         return *this;
     }

@@ -15,6 +15,7 @@
 #include "core/render/device_volume.h"
 #include "core/render/ray_params.h"
 #include "core/render/sparse_casting.h"
+#include "core/render/sparse_cells.h"
 
 namespace lacuna {
 
@@ -106,9 +107,14 @@ void OpenClRenderer::make_tables(const Scene& scene, double step_mm) {
 
 cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool count,
                                    bool tiles) {
+    const bool segments = scene.mode == ViewMode::ea && plan.integration == Integration::preintegrated;
     std::string source = "render/raycast_mip.cl", name = "raycast_mip", extra;
     if (scene.mode == ViewMode::iso) {
-        source = "render/raycast_iso.cl", name = "raycast_iso";
+        const bool exact = plan.refine == Refinement::cubic;
+        source = exact ? "render/raycast_cubic.cl" : "render/raycast_iso.cl";
+        name = exact ? "raycast_cubic" : "raycast_iso";
+    } else if (segments) {
+        source = "render/raycast_segments.cl", name = "raycast_segments";
     } else if (scene.mode == ViewMode::ea) {
         source = "render/raycast_ea.cl", name = "raycast_ea";
         extra = std::string(" -DLACUNA_GRADIENT_OPACITY=") + (tables_->host.uses_gradient ? "1" : "0");
@@ -119,14 +125,14 @@ cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, const B
                                                                : 3;
         extra = " -DLACUNA_PROJECTION=" + std::to_string(projection);
     }
-    const std::string options = "-DLACUNA_LANES=" + std::to_string(lanes_) +
-                                " -DLACUNA_VOXEL=" + std::to_string(int(scene.volume.type())) +
-                                " -DLACUNA_SAMPLER=" + (plan.sampler == Sampler::linear ? "1" : "0") +
-                                " -DLACUNA_STRUCTURE=" + std::to_string(structure.kernel_id) +
-                                " -DLACUNA_RUNS=" + (structure.runs && scene.mode == ViewMode::ea ? "1" : "0") +
-                                " -DLACUNA_RANGES=" + (scene.classification.ranges.empty() ? "0" : "1") +
-                                " -DLACUNA_TILES=" + (tiles ? "1" : "0") + " -DLACUNA_COUNT=" + (count ? "1" : "0") +
-                                extra + structure.options + (plan.brick > 0 ? " -DLACUNA_CARRY=1" : "");
+    const std::string options =
+        "-DLACUNA_LANES=" + std::to_string(lanes_) + " -DLACUNA_VOXEL=" + std::to_string(int(scene.volume.type())) +
+        " -DLACUNA_SAMPLER=" + std::to_string(int(plan.sampler)) +
+        " -DLACUNA_STRUCTURE=" + std::to_string(structure.kernel_id) +
+        " -DLACUNA_RUNS=" + (structure.runs && scene.mode == ViewMode::ea && !segments ? "1" : "0") +
+        " -DLACUNA_RANGES=" + (scene.classification.ranges.empty() ? "0" : "1") +
+        " -DLACUNA_TILES=" + (tiles ? "1" : "0") + " -DLACUNA_COUNT=" + (count ? "1" : "0") + extra +
+        structure.options + (plan.brick > 0 ? " -DLACUNA_CARRY=1" : "");
     const std::string key = name + options;
     auto found = kernels_.find(key);
     if (found == kernels_.end()) found = kernels_.emplace(key, library_.kernel(source, name, options)).first;
@@ -186,21 +192,22 @@ void OpenClRenderer::hold_output(glm::ivec2 padded, bool count) {
                                                   {}});
     output_->padded = padded;
     if (!count) return;
-    const std::size_t item = sizeof(cl_uint4), lanes = std::size_t(lanes_);
+    const std::size_t item = sizeof(cl_uint8), lanes = std::size_t(lanes_);
     if (!output_->counters()) output_->counters = scratch_buffer(*device_, output_->capacity / lanes * item);
     // Packets beyond the picture write none.
     device_->queue().enqueueFillBuffer(output_->counters, cl_uint(0), 0, pixels / lanes * item);
 }
 
 Counters OpenClRenderer::read_counters() {
-    std::vector<cl_uint4> items(std::size_t(output_->padded.x) * std::size_t(output_->padded.y) / std::size_t(lanes_));
-    read_values(*device_, output_->counters, std::span<cl_uint4>(items));
+    std::vector<cl_uint8> items(std::size_t(output_->padded.x) * std::size_t(output_->padded.y) / std::size_t(lanes_));
+    read_values(*device_, output_->counters, std::span<cl_uint8>(items));
     Counters sum;
-    for (const cl_uint4& item : items) {
+    for (const cl_uint8& item : items) {
         sum.rays += item.s[0];
         sum.samples += item.s[1];
         sum.skipped += item.s[2];
         sum.structure_reads += item.s[3];
+        sum.trilinear += item.s[4];
     }
     return sum;
 }
@@ -408,9 +415,15 @@ Frame OpenClRenderer::cast_sparsely(const Cast& cast, const RayParams& params) {
     Frame frame = interpolate(every_kth, grid);
     frame.counters = every_kth.counters;
     const double pixel_mm = resolve(cast.scene.camera, cast.scene.volume.geometry(), cast.scene.size).pixel_mm;
-    cast_tiles(cast, params,
-               tiles_to_recast(every_kth, grid, cast.plan.sparse_gradient, k_depth_step_pixels * grid.k * pixel_mm),
-               frame);
+    std::vector<std::uint8_t> marked;
+    if (cast.plan.sparse_aware) {
+        const auto [cells, classes] = structures_.classes(cast.scene, cast.plan, cast.tables, cast.job);
+        marked = blocks_with_hidden_cells(cast.scene, every_kth, grid, cells, classes, cast.plan.sparse_gradient);
+    }
+    cast_tiles(
+        cast, params,
+        tiles_to_recast(every_kth, grid, cast.plan.sparse_gradient, k_depth_step_pixels * grid.k * pixel_mm, marked),
+        frame);
     return frame;
 }
 

@@ -1,6 +1,8 @@
 #include "core/render/plan.h"
 
 #include <cmath>
+#include <cstdio>
+#include <utility>
 
 #include "core/base/names.h"
 
@@ -16,11 +18,20 @@ constexpr NameTable<Structure, 8> k_structure_names{{{Structure::none, "none"},
                                                      {Structure::acd, "acd"},
                                                      {Structure::eacd, "eacd"},
                                                      {Structure::visible, "visible"}}};
-constexpr NameTable<Sampler, 2> k_sampler_names{{{Sampler::nearest, "nearest"}, {Sampler::linear, "linear"}}};
-constexpr NameTable<Refinement, 4> k_refinement_names{{{Refinement::none, "none"},
+constexpr NameTable<Sampler, 3> k_sampler_names{
+    {{Sampler::nearest, "nearest"}, {Sampler::linear, "linear"}, {Sampler::adaptive, "adaptive"}}};
+constexpr NameTable<Refinement, 6> k_refinement_names{{{Refinement::none, "none"},
                                                        {Refinement::bisect, "bisect"},
                                                        {Refinement::regula_falsi, "regula-falsi"},
-                                                       {Refinement::newton, "newton"}}};
+                                                       {Refinement::newton, "newton"},
+                                                       {Refinement::regula_falsi_plain, "regula-falsi-plain"},
+                                                       {Refinement::cubic, "cubic"}}};
+constexpr NameTable<GradientFilter, 2> k_filter_names{
+    {{GradientFilter::central, "central"}, {GradientFilter::sobel, "sobel"}}};
+constexpr NameTable<GradientStore, 2> k_store_names{
+    {{GradientStore::on_the_fly, "on-the-fly"}, {GradientStore::stored, "stored"}}};
+constexpr NameTable<Integration, 2> k_integration_names{
+    {{Integration::riemann, "riemann"}, {Integration::preintegrated, "preintegrated"}}};
 constexpr NameTable<VoxelGradient, 3> k_voxel_gradient_names{
     {{VoxelGradient::central, "central"}, {VoxelGradient::sobel, "sobel"}, {VoxelGradient::gaussian, "gaussian"}}};
 
@@ -39,6 +50,64 @@ Sampler parse_sampler(std::string_view text) { return parse_name(k_sampler_names
 Refinement parse_refinement(std::string_view text) { return parse_name(k_refinement_names, text, "refinement"); }
 VoxelGradient parse_voxel_gradient(std::string_view text) {
     return parse_name(k_voxel_gradient_names, text, "voxel gradient");
+}
+
+std::string_view name_of(GradientFilter filter) { return name_in(k_filter_names, filter); }
+std::string_view name_of(GradientStore store) { return name_in(k_store_names, store); }
+std::string_view name_of(Integration integration) { return name_in(k_integration_names, integration); }
+Integration parse_integration(std::string_view text) { return parse_name(k_integration_names, text, "integration"); }
+
+void parse_gradient(std::string_view text, GradientFilter& filter, GradientStore& store) {
+    bool filter_named = false, store_named = false, known = !text.empty();
+    for (std::string_view rest = text; known && !rest.empty();) {
+        const std::size_t comma = rest.find(',');
+        const std::string_view word = rest.substr(0, comma);
+        rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
+        known = comma == std::string_view::npos || !rest.empty();
+        if (word == "central" || word == "sobel") {
+            filter = word == "sobel" ? GradientFilter::sobel : GradientFilter::central;
+            known = known && !std::exchange(filter_named, true);
+        } else if (word == "on-the-fly" || word == "stored") {
+            store = word == "stored" ? GradientStore::stored : GradientStore::on_the_fly;
+            known = known && !std::exchange(store_named, true);
+        } else {
+            known = false;
+        }
+    }
+    if (!known)
+        throw Error(Errc::bad_usage, "There is no gradient '" + std::string(text) +
+                                         "'; known are central or sobel, on-the-fly or stored, or one of each "
+                                         "(sobel,stored).");
+}
+
+double hidden_levels(double ert, Shading shading) { return 255 * ert * (shading == Shading::phong ? 1.2 : 1.0); }
+
+std::string termination_reason(double ert, Shading shading) {
+    if (!(ert > 0)) return "Rays run to their end: nothing is hidden.";
+    char text[120];
+    std::snprintf(text, sizeof text, "Rays end at opacity %.4g: what is left is below %.2g of 255 grey levels.",
+                  1 - ert, hidden_levels(ert, shading));
+    return text;
+}
+
+void add_method_reasons(Plan& plan, const Scene& scene) {
+    const auto add = [&](const char* sentence) { plan.why.emplace_back(sentence); };
+    if (plan.sampler == Sampler::adaptive)
+        add(plan.structure == Structure::none
+                ? "Adaptive sampler: nearest in blocks whose every value is drawn alike, so the picture is linear's."
+                : "Adaptive sampler: little to gain here, the structure already leaves out most blocks that are drawn "
+                  "alike.");
+    if (scene.mode == ViewMode::iso && plan.refine == Refinement::cubic)
+        add("Cubic: every cell the ray crosses is solved, so no wall is missed, whatever the step.");
+    if (scene.mode == ViewMode::iso && plan.refine == Refinement::regula_falsi_plain)
+        add("Plain regula falsi: stalls on convex stretches; regula-falsi does not.");
+    if (plan.integration == Integration::preintegrated)
+        add("Pre-integrated segments: a transfer function's peaks between two samples are not missed.");
+    if (plan.sparse >= 2)
+        add(plan.sparse_aware ? "Sparse casting asks min-max cells what its rays may have missed."
+                              : "Sparse casting loses what is thinner than its pixel distance and no cast ray meets.");
+    if (plan.gradient_store == GradientStore::stored && (scene.mode == ViewMode::iso || scene.mode == ViewMode::ea))
+        add("Stored gradients: 4 bytes a voxel, directions within 0.2 degrees of those on the fly.");
 }
 
 Plan default_plan(const Scene& scene) {
@@ -66,7 +135,7 @@ Plan default_plan(const Scene& scene) {
             plan.why = {
                 "Distances over macro-cells, an octant of directions each: rays jump to the next cell with a "
                 "visible value.",
-                "Rays end at opacity 0.998: what is left is below one grey level."};
+                termination_reason(plan.ert, scene.shading)};
             break;
         case ViewMode::lmip:
             plan.why = {"Macro-cells: cells that can hold no winner are jumped over."};
@@ -92,11 +161,41 @@ Plan reference_plan(const Scene& scene, const Plan& like) {
     if (scene.mode == ViewMode::shear_warp) return plan;  // nothing to leave out
     plan.structure = Structure::none;
     plan.sampler = Sampler::linear;
+    plan.gradient_store = GradientStore::on_the_fly;
     plan.ert = 0;
     plan.sparse = 0;
     plan.homogeneity = plan.homogeneity_angle_deg = 0;
     return plan;
 }
+
+namespace {
+
+/// Methods that serve one mode, or not together.
+void check_methods(const Plan& plan, const Scene& scene) {
+    const auto refuse = [](const char* sentence) { throw Error(Errc::bad_usage, sentence); };
+    if (plan.refine == Refinement::cubic && scene.mode == ViewMode::iso && plan.sampler != Sampler::linear)
+        refuse("The refinement 'cubic' solves the trilinear signal: it goes with the sampler linear alone.");
+    const bool plain = plan.sampler != Sampler::adaptive && plan.gradient == GradientFilter::central &&
+                       plan.gradient_store == GradientStore::on_the_fly && plan.integration == Integration::riemann &&
+                       plan.refine != Refinement::cubic && !plan.sparse_aware;
+    if (plan.brick != 0 && !plain)
+        refuse(
+            "Bricks go with the samplers nearest and linear, central gradients on the fly, the integration riemann, "
+            "refinements other than cubic and plain sparse casting.");
+    if (plan.integration == Integration::riemann) return;
+    if (scene.mode != ViewMode::ea)
+        refuse("Pre-integrated segments serve the mode ea alone; take the integration riemann for the others.");
+    if (plan.sampler != Sampler::linear)
+        refuse("Pre-integrated segments take values to change linearly: they go with the sampler linear alone.");
+    if (plan.homogeneity > 0 || plan.homogeneity_angle_deg > 0)
+        refuse("Homogeneous runs do not go with pre-integrated segments; take the integration riemann.");
+    bool by_gradient = !scene.classification.tf.gradient_opacity.empty();
+    for (const SegmentationRange& range : scene.classification.ranges)
+        by_gradient = by_gradient || (range.tf && !range.tf->gradient_opacity.empty());
+    if (by_gradient) refuse("Gradient opacity cannot be integrated over values alone; take the integration riemann.");
+}
+
+}  // namespace
 
 void check(const Plan& plan, const Scene& scene) {
     if (!(plan.step >= k_min_step && plan.step <= k_max_step))
@@ -122,6 +221,7 @@ void check(const Plan& plan, const Scene& scene) {
         throw Error(Errc::bad_usage, "Sparse casting skips rays; shear-warp casts none. Leave one of them out.");
     if (plan.directions != 6 && plan.directions != 24)
         throw Error(Errc::bad_usage, "Shear-warp divides the viewing directions into 6 or 24 regions.");
+    check_methods(plan, scene);
     const bool shear_warp = scene.mode == ViewMode::shear_warp;
     if (shear_warp != (plan.structure == Structure::visible))
         throw Error(Errc::bad_usage, "The structure '" + std::string(name_of(plan.structure)) +

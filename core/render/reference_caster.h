@@ -2,9 +2,11 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/render/frame.h"
 #include "core/render/plan.h"
+#include "core/render/reference_cubic.h"
 #include "core/render/reference_ray.h"
 #include "core/render/reference_sampler.h"
 #include "core/render/scene.h"
@@ -29,6 +31,7 @@ public:
           plan_(plan),
           field_(scene.volume),
           nearest_(plan.sampler == Sampler::nearest),
+          sobel_(plan.gradient == GradientFilter::sobel),
           no_ranges_(scene.classification.ranges.empty()) {}
 
     Pixel trace(const LatticeRay& ray) {
@@ -90,6 +93,7 @@ private:
     }
 
     Pixel iso(const LatticeRay& ray);
+    Pixel exact_iso(const LatticeRay& ray, bool in_object);
     double refine(const LatticeRay& ray, double a, double g_a, double b, double g_b, bool leaving);
     double regula_falsi(const LatticeRay& ray, double a, double h_a, double b, double h_b, double sign) const;
     double newton(const LatticeRay& ray, double a, double h_a, double b, double h_b);
@@ -101,7 +105,7 @@ private:
     const Scene& scene_;
     const Plan& plan_;
     Field<T> field_;
-    bool nearest_, no_ranges_;
+    bool nearest_, sobel_, no_ranges_;
 };
 
 /// `lower_known` is false where the sample before the turn is NaN: then the sample itself is the hit.
@@ -114,6 +118,7 @@ Pixel Caster<T>::iso(const LatticeRay& ray) {
     if (in_object && !ray.entry_by_cut)
         return surface(ray.entry_axis < 0 ? 1.0 : std::fabs(ray.direction_grid[ray.entry_axis]), lower);
     if (in_object && ray.entry_capped) return cap(ray, entry_value);
+    if (plan_.refine == Refinement::cubic) return exact_iso(ray, in_object);
 
     for (std::int64_t k = ray.first; k < ray.end; ++k) {
         const double t = ray.sample_t(k), g = inside_at(ray, t);
@@ -122,12 +127,30 @@ Pixel Caster<T>::iso(const LatticeRay& ray) {
             in_object = false;
         } else if (in_object ? g < 0 : g >= 0) {
             const double hit = std::isnan(g_lower) ? t : refine(ray, lower, g_lower, t, g, in_object);
-            return surface(facing(ray, field_.gradient(ray.at(hit))), hit);
+            return surface(facing(ray, field_.gradient(ray.at(hit), sobel_)), hit);
         }
         lower = t;
         g_lower = g;
     }
     return {};
+}
+
+/// The first turn of the exact signal: every cell on the way, solved. After one that holds a NaN the ray counts as
+/// outside.
+template <class T>
+Pixel Caster<T>::exact_iso(const LatticeRay& ray, bool in_object) {
+    const std::vector<double> levels = turning_values(scene_.classification, scene_.iso);
+    std::optional<double> hit;
+    for_each_cell(ray, [&](double t0, double t1) {
+        const CellCubic signal(field_, ray, t0, t1);
+        ++counters.samples;
+        if (signal.is_nan())
+            in_object = false;
+        else
+            hit = signal.first_turn(levels, in_object, [&](double v) { return inside(v) >= 0; });
+        return !hit;
+    });
+    return hit ? surface(facing(ray, field_.gradient(ray.at(*hit), sobel_)), *hit) : Pixel{};
 }
 
 /// Sharpens the turn between a (before it) and b (behind it). `leaving`: the turn is from inside to outside.
@@ -138,10 +161,12 @@ double Caster<T>::refine(const LatticeRay& ray, double a, double g_a, double b, 
         case Refinement::none:
             return b;
         case Refinement::regula_falsi:
+        case Refinement::regula_falsi_plain:
             return regula_falsi(ray, a, sign * g_a, b, sign * g_b, sign);
         case Refinement::newton:
             return newton(ray, a, g_a, b, g_b);
         case Refinement::bisect:
+        case Refinement::cubic:
             break;
     }
     for (int i = 0; i < plan_.refine_steps; ++i) {
@@ -152,9 +177,10 @@ double Caster<T>::refine(const LatticeRay& ray, double a, double g_a, double b, 
 }
 
 /// Regula falsi with the Illinois modification (Dowell & Jarratt 1971): an end kept twice in a row has its value
-/// halved.
+/// halved, unless the plan wants the plain rule.
 template <class T>
 double Caster<T>::regula_falsi(const LatticeRay& ray, double a, double h_a, double b, double h_b, double sign) const {
+    const double share = plan_.refine == Refinement::regula_falsi_plain ? 1.0 : 0.5;
     double estimate = b;
     int kept_end = 0;  // -1: a was kept last, +1: b was
     for (int i = 0; i < plan_.refine_steps; ++i) {
@@ -165,12 +191,12 @@ double Caster<T>::regula_falsi(const LatticeRay& ray, double a, double h_a, doub
         if (sign > 0 ? h >= 0 : h > 0) {
             b = estimate;
             h_b = h;
-            if (kept_end == -1) h_a *= 0.5;
+            if (kept_end == -1) h_a *= share;
             kept_end = -1;
         } else {
             a = estimate;
             h_a = h;
-            if (kept_end == 1) h_b *= 0.5;
+            if (kept_end == 1) h_b *= share;
             kept_end = 1;
         }
     }
@@ -212,7 +238,7 @@ Pixel Caster<T>::emission_absorption(const LatticeRay& ray) {
 
         double opacity = seen.opacity, c = 0;
         if (scene_.shading != Shading::none || !tf.gradient_opacity.empty()) {
-            const glm::dvec3 gradient = field_.gradient(ray.at(t));
+            const glm::dvec3 gradient = field_.gradient(ray.at(t), sobel_);
             const double length = glm::length(gradient);
             if (!tf.gradient_opacity.empty()) opacity *= tf.gradient_factor(length > 0 ? length : 0);
             c = facing(ray, gradient);

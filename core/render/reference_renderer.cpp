@@ -21,7 +21,9 @@ template <class T>
 void render_rows(const Scene& scene, const Plan& plan, const JobContext& job, Frame& frame) {
     const GridGeometry& geometry = scene.volume.geometry();
     const ViewRays rays = resolve(scene.camera, geometry, scene.size);
-    const double step_mm = plan.step * geometry.smallest_spacing_mm();
+    // Pre-integrated segments stand for the integral itself: ordinary samples, far closer together.
+    const bool fine = scene.mode == ViewMode::ea && plan.integration == Integration::preintegrated;
+    const double step_mm = plan.step * geometry.smallest_spacing_mm() / (fine ? k_reference_subdivision : 1);
     std::mutex mutex;
     parallel_for(
         0, frame.size.y,

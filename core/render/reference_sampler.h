@@ -38,14 +38,23 @@ public:
         return finite_or_nan(double(voxels_(i.x, i.y, i.z)));
     }
 
-    /// Central differences of linear() over one voxel each way, per mm along the grid's own axes.
-    glm::dvec3 gradient(const glm::dvec3& p) const {
-        glm::dvec3 g;
+    /// The gradient at the voxels around, interpolated, per mm along the grid's own axes. At a voxel central
+    /// differences over one voxel each way; with `smooth` weighted (1 2 1)/4 along both other axes (Sobel).
+    glm::dvec3 gradient(glm::dvec3 p, bool smooth = false) const {
+        p = glm::clamp(p, glm::dvec3(0), last_);
+        glm::dvec3 g(0);
         for (int axis = 0; axis < 3; ++axis) {
-            glm::dvec3 before = p, after = p;
-            before[axis] -= 1;
-            after[axis] += 1;
-            g[axis] = 0.5 * (linear(after) - linear(before)) / spacing_[axis];
+            for (int i = smooth ? -1 : 0; i <= (smooth ? 1 : 0); ++i) {
+                for (int j = smooth ? -1 : 0; j <= (smooth ? 1 : 0); ++j) {
+                    glm::dvec3 to_side(0), ahead(0);
+                    ahead[axis] = 1;
+                    to_side[(axis + 1) % 3] = i;
+                    to_side[(axis + 2) % 3] = j;
+                    const double weight = smooth ? (i == 0 ? 0.5 : 0.25) * (j == 0 ? 0.5 : 0.25) : 1;
+                    g[axis] += weight * (linear(p + to_side + ahead) - linear(p + to_side - ahead));
+                }
+            }
+            g[axis] *= 0.5 / spacing_[axis];
         }
         return g;
     }

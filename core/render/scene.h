@@ -44,10 +44,15 @@ struct Highlight {
 ///   inside the box and inside the object hits at its origin, with c = 1). A ray entering the
 ///   kept part through a cut inside the object shows the grey data value there (`cap`), or runs on to the first
 ///   turn from inside to outside (`open`), drawn as a surface. After a NaN sample the ray counts as outside, and a hit
-///   at the very next sample is not refined.
+///   at the very next sample is not refined. With the refinement `cubic` (plan.h) the turn is the first of the exact
+///   trilinear signal on the kept ray, whatever the samples; after a cell with a voxel that is not finite the ray
+///   counts as outside, and one that is inside at its end hits there.
 /// ea: emission-absorption by the classification, front to back, opacity corrected for the step. A ray entering
 ///   through a capped cut where the opacity (gradient factor left out) is above 0 ends there in the grey data value.
-///   Depth: the sample at which opacity first exceeds 1/2.
+///   Depth: the sample at which opacity first exceeds 1/2. With the integration `preintegrated` the kept ray is cut at
+///   its samples; along each piece the value changes linearly from end to end and the transfer function is integrated
+///   exactly, its own attenuation included; shading is that at the piece's middle, depth the middle of the piece behind
+///   which opacity exceeds 1/2; a piece with an end that is NaN contributes nothing.
 /// mip / minip / mean: largest / smallest / mean sample, drawn grey through the window, or in the transfer function's
 ///   colour where color_by_tf; rays without a sample (or with none inside the ranges) are background. mean divides by
 ///   the number of samples counted: those neither NaN nor outside the ranges. Depth: the first sample that wins;
@@ -57,9 +62,11 @@ struct Highlight {
 /// shear_warp: the iso surface by shear-warp of its visible voxels (Csebfalvi et al. 1999), see shear_warp.h;
 ///   orthographic only.
 /// Headlight shading, two-sided: with c = |n.v|, lambert gives colour * (0.2 + 0.8 c), phong
-///   colour * (0.2 + 0.7 c) + 0.3 c^20; n is the gradient's direction (central differences over one voxel each way, of
-///   the trilinear reconstruction whatever the sampler, in mm). A gradient that is zero or NaN counts as c = 0 and as
-///   magnitude 0. EA applies it to each sample's colour. Nothing is clamped before the picture is shown.
+///   colour * (0.2 + 0.7 c) + 0.3 c^20; n is the gradient's direction in mm: the gradients at
+///   the eight voxels around, interpolated trilinearly whatever the sampler. At a voxel: central differences over one
+///   voxel each way, or (plan's `sobel`) these smoothed by (1 2 1)/4 along both other axes (Sobel's operator; Zucker &
+///   Hummel 1981 weigh corners otherwise); voxels beyond the border repeat it. A gradient that is zero or NaN counts as
+///   c = 0 and as magnitude 0. EA applies it to each sample's colour. Nothing is clamped before the picture is shown.
 struct Scene {
     Volume volume;
     ViewMode mode = ViewMode::ea;
@@ -75,7 +82,7 @@ struct Scene {
     double lmip_threshold = 0;
     std::vector<Highlight> highlights;
     glm::dvec3 background{0.0};
-    std::vector<Effect> effects;                    ///< applied to the finished frame in this order, before highlights
+    std::vector<Effect> effects;  ///< applied to the finished frame in this order, before highlights
 
     static constexpr std::size_t k_max_cuts = 8;
 };

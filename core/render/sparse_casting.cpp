@@ -68,12 +68,13 @@ Frame interpolate(const Frame& cast, const SparseGrid& grid) {
 }
 
 std::vector<glm::ivec2> tiles_to_recast(const Frame& cast, const SparseGrid& grid, double gradient,
-                                        double depth_step_mm) {
-    const glm::ivec2 blocks = glm::max(grid.size() - 1, glm::ivec2(1));
-    std::vector<std::uint8_t> edge(std::size_t(blocks.x) * std::size_t(blocks.y));
+                                        double depth_step_mm, const std::vector<std::uint8_t>& marked) {
+    const glm::ivec2 blocks = grid.blocks();
+    std::vector<std::uint8_t> edge = marked;
+    edge.resize(std::size_t(blocks.x) * std::size_t(blocks.y));
     parallel_for(0, blocks.y, [&](std::int64_t by) {
         for (int bx = 0; bx < blocks.x; ++bx)
-            edge[std::size_t(by) * std::size_t(blocks.x) + std::size_t(bx)] =
+            edge[std::size_t(by) * std::size_t(blocks.x) + std::size_t(bx)] |=
                 differs(cast, Corners(cast, bx, int(by)), gradient, depth_step_mm);
     });
     std::vector<glm::ivec2> tiles;

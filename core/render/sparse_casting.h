@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -11,12 +12,14 @@ namespace lacuna {
 /// Sparse casting (Lesar 2015): cast every k-th pixel of every k-th row, interpolate the others, cast again where the
 /// colours of neighbouring cast pixels differ. Objects thinner than k pixels can vanish between cast pixels: the
 /// error-aware part re-casts beside every hit-or-miss edge and every step in depth as well, which finds what any cast
-/// ray touched, not what all of them missed.
+/// ray touched; what all of them missed only min-max cells know (sparse_cells.h).
 struct SparseGrid {
     int k = 2;              ///< pixels between cast pixels, at least 2
     glm::ivec2 picture{0};  ///< the full picture
     /// Cast pixels an axis: every k-th, the last at or beyond the picture's edge, so that each pixel lies between four.
     glm::ivec2 size() const { return (picture - 2 + k) / k + 1; }
+    /// Blocks of k x k pixels between cast ones an axis.
+    glm::ivec2 blocks() const { return glm::max(size() - 1, glm::ivec2(1)); }
 };
 
 /// Fills the picture from a frame of cast pixels (grid.size() of them): bilinear colours; depth where all four have
@@ -25,8 +28,8 @@ Frame interpolate(const Frame& cast, const SparseGrid& grid);
 
 /// The 4x4 tiles (upper left pixels) that must be cast again: those touching a k x k block whose four corners differ by
 /// more than `gradient` in any channel (0..1), or by more than `depth_step_mm` in depth (infinite against finite
-/// counts).
+/// counts), and those touching a block of `marked` (grid.blocks() of them; empty: none).
 std::vector<glm::ivec2> tiles_to_recast(const Frame& cast, const SparseGrid& grid, double gradient,
-                                        double depth_step_mm);
+                                        double depth_step_mm, const std::vector<std::uint8_t>& marked = {});
 
 }  // namespace lacuna

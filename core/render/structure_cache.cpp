@@ -27,29 +27,53 @@ void StructureCache::hold(const Volume& volume) {
 void StructureCache::drop() {
     for (const auto& [kind, family] : families_) family->drop();
     cells_.drop();
+    plan_buffers_.drop();
+    class_key_.reset();
     voxels_ = {};
 }
 
 std::size_t StructureCache::bytes() const {
-    std::size_t sum = cells_.bytes();
+    std::size_t sum = cells_.bytes() + plan_buffers_.bytes() + classes_.size();
     std::set<const StructureFamily*> counted;  // some serve several names
     for (const auto& [kind, family] : families_)
         if (counted.insert(family.get()).second) sum += family->bytes();
     return sum;
 }
 
+StructureCache::CellClasses StructureCache::classes(const Scene& scene, const Plan& plan, const TransferTables* tables,
+                                                    const JobContext& job) {
+    constexpr int k_shift = 3;
+    const StructureContext context{*device_, cells_, scene, plan, tables, job};
+    const MacrocellGrid& grid = cells_.grid(scene.volume, k_shift, job);
+    if (VisibilityKey key = context.key(); !class_key_ || *class_key_ != key) {
+        const ValueRange values = value_range(grid);
+        classes_ = classify_macrocells(grid, context.table(values), context.slack(values));
+        class_key_ = std::move(key);
+    }
+    return {grid, classes_};
+}
+
+BoundStructure StructureCache::prepare_structure(const StructureContext& context, RayParams& params,
+                                                 std::map<std::string, BuildRecord>& build) {
+    const Structure wanted = context.plan.structure;
+    if (wanted == Structure::none) return {};
+    const auto family = families_.find(wanted);
+    if (family == families_.end())
+        throw Error(Errc::unsupported,
+                    "The structure '" + std::string(name_of(wanted)) + "' does not serve ray casting.");
+    const Stopwatch watch;
+    BoundStructure made = family->second->prepare(context, params);
+    build[std::string(name_of(wanted))] = {made.built ? watch.ms() : 0.0, made.bytes};
+    return made;
+}
+
 BoundStructure StructureCache::prepare(const Scene& scene, const Plan& plan, const TransferTables* tables,
                                        RayParams& params, std::map<std::string, BuildRecord>& build,
                                        const JobContext& job) {
-    if (plan.structure == Structure::none) return {};
-    const auto family = families_.find(plan.structure);
-    if (family == families_.end())
-        throw Error(Errc::unsupported,
-                    "The structure '" + std::string(name_of(plan.structure)) + "' does not serve ray casting.");
-    const Stopwatch watch;
-    const BoundStructure made = family->second->prepare({*device_, cells_, scene, plan, tables, job}, params);
-    build[std::string(name_of(plan.structure))] = {made.built ? watch.ms() : 0.0, made.bytes};
-    return made;
+    const StructureContext context{*device_, cells_, scene, plan, tables, job};
+    BoundStructure bound = prepare_structure(context, params, build);
+    plan_buffers_.add_to(bound, context, build);
+    return bound;
 }
 
 }  // namespace lacuna

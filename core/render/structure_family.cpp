@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/compute/buffers.h"
+#include "core/render/segment_tables.h"
 
 namespace lacuna {
 
@@ -27,7 +28,8 @@ std::size_t SharedCells::bytes() const {
 }
 
 VisibilityKey StructureContext::key() const {
-    if (scene.mode == ViewMode::ea) return {VisibilityKey::Kind::opacity, scene.classification, 0};
+    if (scene.mode == ViewMode::ea)
+        return {VisibilityKey::Kind::opacity, scene.classification, 0, plan.integration == Integration::preintegrated};
     if (scene.mode == ViewMode::iso) return {VisibilityKey::Kind::iso, scene.classification, scene.iso};
     return {VisibilityKey::Kind::ranges, scene.classification, 0};
 }
@@ -40,7 +42,11 @@ VisibilityTable StructureContext::table(ValueRange values) const {
 
 double StructureContext::slack(ValueRange values) const {
     const double rounding = k_float_slack * std::max(std::abs(values.lo), std::abs(values.hi));
-    return rounding + (scene.mode == ViewMode::ea && tables ? tables->slack : 0);
+    if (scene.mode != ViewMode::ea) return rounding;
+    // A table of segments shows what lies up to a bin beside a value.
+    const double bins =
+        plan.integration == Integration::preintegrated ? segment_slack(scene.classification, values) : 0;
+    return rounding + std::max(bins, tables ? tables->slack : 0);
 }
 
 cl::Buffer StructureContext::upload(const void* data, std::size_t bytes) const {

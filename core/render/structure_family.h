@@ -29,7 +29,8 @@ struct BoundStructure {
 struct VisibilityKey {
     enum class Kind { opacity, iso, ranges } kind = Kind::opacity;
     Classification classification;
-    double iso = 0;  ///< 0 unless kind is iso
+    double iso = 0;         ///< 0 unless kind is iso
+    bool segments = false;  ///< queries are widened for tables of pre-integrated segments
     friend bool operator==(const VisibilityKey&, const VisibilityKey&) = default;
 };
 

@@ -9,6 +9,8 @@
 #include "include/carry.clh"
 #include "include/classify.clh"
 #include "include/shade.clh"
+#include "include/gradient.clh"
+#include "include/adaptive.clh"
 #include "include/output.clh"
 #include "include/launch.clh"
 
@@ -85,7 +87,7 @@ INLINE void add_run(constant RayParams* p, global const float* lut_opacity, glob
 kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                        global const float* restrict lut_opacity, global const uint* restrict lut_color,
                        global float4* restrict out_color, global float* restrict out_depth
-                       GRADIENT_ARGS STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
+                       GRADIENT_ARGS GRADIENT_FIELD_ARGS ADAPTIVE_ARGS STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
     const int x0 = PIXEL_X0, y0 = PIXEL_Y0;
     if (x0 >= p->out_stride || y0 >= p->height) return;
     Rays r = CAST_RAYS(p, x0, y0);
@@ -94,6 +96,7 @@ kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams
     VF3 c = {zero, zero, zero};
     VF clear = one, depth = (VF)(INFINITY);   // clear: transmittance so far
     COUNT(uint samples = 0; uint skipped = 0; uint reads = 0;)
+    ADAPTIVE_STATE
 #if LACUNA_CARRY
     global float* const slot = carry_slot(p, carry, x0, y0);
     if (carry_begun(slot)) {
@@ -142,7 +145,7 @@ kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams
 #endif
         for (; k < skip.until; ++k) {
             VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & MASK(clear >= floor_t) & MASK(clear > zero);
-            VF value = sample_volume(volume, p, ray_at(&r, (VF)((float)k)));
+            VF value = MARCH_SAMPLE(volume, p, ray_at(&r, (VF)((float)k)), here);
             COUNT(samples += sum_lanes(counted(here));)
             VI row, inside = in_ranges(p, value, &row);
             VI entry = lut_index(p, value, row);

@@ -7,6 +7,9 @@
 #include "include/carry.clh"
 #include "include/classify.clh"
 #include "include/shade.clh"
+#include "include/gradient.clh"
+#include "include/adaptive.clh"
+#include "include/surface.clh"
 #include "include/output.clh"
 #include "include/launch.clh"
 
@@ -22,15 +25,17 @@ INLINE VF measure_at(global const voxel_t* volume, constant RayParams* p, const 
 }
 
 /// The root of the measure in the bracket [a, b] (fractional samples, measures ga, gb of opposite sign): refine 1
-/// bisection, 2 regula falsi with the Illinois modification (Dowell & Jarratt 1971), 3 Newton.
+/// bisection, 2 regula falsi with the Illinois modification (Dowell & Jarratt 1971), 3 Newton, 4 regula falsi as published
+/// by Lesar (2015), which stalls at one end of a convex stretch.
 INLINE VF refine_hit(global const voxel_t* volume, constant RayParams* p, const Rays* r, VF a, VF b, VF ga, VF gb) {
     VF estimate = p->refine == 1 ? 0.5f * (a + b) : b - gb * (b - a) / (gb - ga);
     const VF half_one = (VF)(0.5f);
-    if (p->refine == 2 && p->refine_steps == 0) return b;
+    const int falsi = p->refine == 2 || p->refine == 4;
+    if (falsi && p->refine_steps == 0) return b;
     VI kept = (VI)(0);      // regula falsi: which end stayed last time, -1 a, 1 b
     VI astray = (VI)(0);    // Newton: left the bracket, the midpoint stands
     // The secant above is regula falsi's first estimate: one evaluation less than its steps.
-    const int steps = p->refine == 2 ? p->refine_steps - 1 : p->refine_steps;
+    const int steps = falsi ? p->refine_steps - 1 : p->refine_steps;
     for (int i = 0; i < steps; ++i) {
         if (p->refine == 3) {
             VF width = (VF)(0.1f);
@@ -45,8 +50,9 @@ INLINE VF refine_hit(global const voxel_t* volume, constant RayParams* p, const 
         }
         VF g = measure_at(volume, p, r, estimate);
         VI with_b = MASK((g >= (VF)(0.0f)) == (gb >= (VF)(0.0f)));
-        ga = (with_b & MASK(kept == (VI)(-1))) ? ga * half_one : ga;
-        gb = (~with_b & MASK(kept == (VI)(1))) ? gb * half_one : gb;
+        const VI halves = p->refine == 2 ? (VI)(-1) : (VI)(0);
+        ga = (halves & with_b & MASK(kept == (VI)(-1))) ? ga * half_one : ga;
+        gb = (halves & ~with_b & MASK(kept == (VI)(1))) ? gb * half_one : gb;
         b = with_b ? estimate : b;
         gb = with_b ? g : gb;
         a = with_b ? a : estimate;
@@ -54,14 +60,14 @@ INLINE VF refine_hit(global const voxel_t* volume, constant RayParams* p, const 
         kept = with_b ? (VI)(-1) : (VI)(1);
         VF secant = b - gb * (b - a) / (gb - ga);
         VI good = MASK(secant >= a) & MASK(secant <= b);
-        estimate = (p->refine == 2) ? (good ? secant : half_one * (a + b)) : half_one * (a + b);
+        estimate = falsi ? (good ? secant : half_one * (a + b)) : half_one * (a + b);
     }
     return estimate;
 }
 
 kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                         global float4* restrict out_color, global float* restrict out_depth
-                        STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
+                        GRADIENT_FIELD_ARGS ADAPTIVE_ARGS STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
     const int x0 = PIXEL_X0, y0 = PIXEL_Y0;
     if (x0 >= p->out_stride || y0 >= p->height) return;
     Rays r = CAST_RAYS(p, x0, y0);
@@ -69,6 +75,7 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
     const VF zero = (VF)(0.0f);
     const VI kept = keeps_length(&r);
     COUNT(uint samples = 0; uint skipped = 0; uint reads = 0;)
+    ADAPTIVE_STATE
 
     // The entry itself: inside the object there, the ray hits the volume's side or the cap, or goes on (open cut).
     VF entry_value = sample_volume(volume, p, ray_at(&r, r.enter));
@@ -96,7 +103,7 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
         k = skip.next;
         for (; k < skip.until; ++k) {
             VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & ~done;
-            VF g = measure_at(volume, p, &r, (VF)((float)k));
+            VF g = iso_measure(p, MARCH_SAMPLE(volume, p, ray_at(&r, (VF)((float)k)), here));
             COUNT(samples += sum_lanes(counted(here));)
             VI turned = here & ((state.inside & MASK(g < zero)) | (~state.inside & MASK(g >= zero)));
             state.inside &= ~(here & MASK(g != g));   // after a NaN the ray counts as outside
@@ -117,22 +124,8 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
         VF estimate = p->refine == 0 ? b : refine_hit(volume, p, &r, a, b, ga, gb);
         at = surface_hit ? (MASK(ga == ga) ? estimate : b) : at;   // no bracket behind a NaN sample
     }
-    if (any_lane(any_hit)) {
-        VF magnitude, cosine = facing(p, &r, gradient(volume, p, ray_at(&r, at)), &magnitude);
-        // On the volume's own side the normal is the side's.
-        const float unit = 1.0f / p->step_mm;
-        VF nx = fabs(r.delta.x) * (p->spacing[0] * unit), ny = fabs(r.delta.y) * (p->spacing[1] * unit);
-        VF nz = fabs(r.delta.z) * (p->spacing[2] * unit);
-        VF side = MASK(r.face == (VI)(0)) ? nx : (MASK(r.face == (VI)(1)) ? ny : (MASK(r.face == (VI)(2)) ? nz : (VF)(1.0f)));
-        cosine = face_hit ? side : cosine;
-        VF3 color = {(VF)(p->surface_color[0]), (VF)(p->surface_color[1]), (VF)(p->surface_color[2])};
-        shade(p, cosine, &color);
-        VI capped = face_hit & MASK(r.entry == (VI)(ENTRY_CAP));
-        VF grey = grey_of(p, entry_value);
-        c.x = any_hit ? (capped ? grey : color.x) : zero;
-        c.y = any_hit ? (capped ? grey : color.y) : zero;
-        c.z = any_hit ? (capped ? grey : color.z) : zero;
-    }
+    if (any_lane(any_hit))
+        c = surface_color(p, &r, gradient(volume, p, ray_at(&r, at)), any_hit, face_hit, entry_value);
     VF depth = any_hit ? fma(at, (VF)(p->step_mm), r.t0_mm) + p->depth_bias_mm : (VF)(INFINITY);
     VF alpha = any_hit ? (VF)(1.0f) : zero;
 #if LACUNA_CARRY

@@ -6,6 +6,7 @@
 #include "include/ray.clh"
 #include "include/carry.clh"
 #include "include/classify.clh"
+#include "include/adaptive.clh"
 #include "include/output.clh"
 #include "include/launch.clh"
 
@@ -39,13 +40,14 @@ INLINE VI lmip_cannot_win(const Idle* state, VF largest) {
 kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                         global const uint* restrict lut_color,
                         global float4* restrict out_color, global float* restrict out_depth
-                        STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
+                        ADAPTIVE_ARGS STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
     const int x0 = PIXEL_X0, y0 = PIXEL_Y0;
     if (x0 >= p->out_stride || y0 >= p->height) return;
     Rays r = CAST_RAYS(p, x0, y0);
     CARRY(if (!meets_brick(&r)) return;)
     const VF zero = (VF)(0.0f);
     COUNT(uint samples = 0; uint skipped = 0; uint reads = 0;)
+    ADAPTIVE_STATE
     Idle state = {(VF)(LACUNA_PROJECTION == MINIP ? INFINITY : -INFINITY), (VI)(0), (VF)(p->lmip_threshold)};
     VI best_at = (VI)(0), found = (VI)(0), done = (VI)(0), best_row = (VI)(0);
     VF sum = zero, compensation = zero;   // Kahan: thousands of samples in single precision
@@ -77,7 +79,7 @@ kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParam
         k = skip.next;
         for (; k < skip.until; ++k) {
             VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & ~done;
-            VF value = sample_volume(volume, p, ray_at(&r, (VF)((float)k)));
+            VF value = MARCH_SAMPLE(volume, p, ray_at(&r, (VF)((float)k)), here);
             COUNT(samples += sum_lanes(counted(here));)
             VI row, counts = here & in_ranges(p, value, &row);
 #if LACUNA_PROJECTION == MEAN

@@ -37,7 +37,8 @@ typedef struct {
     s_float exponent[LACUNA_MAX_ROWS];   // step over unit distance: opacity correction when it cannot be tabulated
 
     s_float iso;
-    s_int refine, refine_steps;          // 0 none, 1 bisection, 2 regula falsi (Illinois), 3 Newton
+    s_int refine, refine_steps;          // 0 none, 1 bisection, 2 regula falsi (Illinois), 3 Newton, 4 plain
+                                         // regula falsi
     s_int shading;                       // 0 none, 1 Lambert, 2 Phong
     s_float surface_color[3];
     s_float min_transmittance;           // EA stops below it

@@ -83,6 +83,47 @@ TEST_F(Result, StatisticsWithoutVerifyHaveNoError) {
     EXPECT_TRUE(json::parse(read(path("s.json")))["error"].is_null());
 }
 
+TEST_F(Result, EveryMethodSaysWhatItIs) {
+    struct Words {
+        std::vector<std::string> words;
+        const char *key, *value, *built;
+    };
+    for (const Words& w :
+         {Words{{"--mode", "iso", "--refine", "cubic"}, "refine", "cubic", nullptr},
+          Words{{"--mode", "iso", "--gradient", "sobel,stored"}, "gradient", "sobel,stored", "gradients"},
+          Words{{"--integration", "preintegrated"}, "integration", "preintegrated", "segments"},
+          Words{{"--sampler", "adaptive", "--structure", "none"}, "sampler", "adaptive", "steady blocks"}}) {
+        std::vector<std::string> words{"render", "sample:casting@32", "-o",           path("a.png"), "--size",
+                                       "40x40",  "--stats",           path("s.json"), "--verify"};
+        words.insert(words.end(), w.words.begin(), w.words.end());
+        const Outcome outcome = lacuna(words);
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        const json stats = json::parse(read(path("s.json")));
+        EXPECT_EQ(stats["plan"][w.key], w.value);
+        if (w.built) {
+            EXPECT_GT(stats["build"][w.built]["bytes"], 0) << w.built;
+        }
+        EXPECT_LT(stats["error"]["mean"], 2) << w.value;
+    }
+}
+
+TEST_F(Result, SmoothingIsSaidAndSeen) {
+    const auto picture = [&](std::vector<std::string> more) {
+        std::vector<std::string> words{"render", "sample:casting@32", "-o",          path("a.png"), "--size",
+                                       "40x40",  "--stats",           path("s.json")};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(lacuna(words).status, 0);
+        return read(path("a.png"));
+    };
+    const std::string plain = picture({});
+    EXPECT_NE(picture({"--smooth", "1.5"}), plain);
+    EXPECT_NE(read(path("s.json")).find("Gaussian of 1.5 mm"), std::string::npos);
+    ASSERT_EQ(lacuna({"convert", "sample:casting@32", path("soft.nrrd"), "--smooth", "1.5"}).status, 0);
+    ASSERT_EQ(lacuna({"convert", "sample:casting@32", path("hard.nrrd")}).status, 0);
+    EXPECT_NE(read(path("soft.nrrd")), read(path("hard.nrrd")));
+    EXPECT_EQ(lacuna({"info", path("soft.nrrd")}).status, 0);
+}
+
 TEST_F(Result, EveryModeMakesAPictureOfItsOwn) {
     std::vector<std::string> pictures;
     for (const char* mode : {"iso", "ea", "mip", "lmip", "minip", "mean", "shear-warp"}) {

@@ -66,10 +66,17 @@ INSTANTIATE_TEST_SUITE_P(
                       BadWord{"--center", "1,2,three"}, BadWord{"--range", "300,-200"}, BadWord{"--range", "1;2"},
                       BadWord{"--range", "1,2,3"}, BadWord{"--cut", "1,0,0"}, BadWord{"--cut", "1,0,0,2:shut"},
                       BadWord{"--step", "0"}, BadWord{"--step", "-0.5"}, BadWord{"--sampler", "cubic"},
-                      BadWord{"--gradient", "sobel"}, BadWord{"--refine", "magic"}, BadWord{"--refine-steps", "2.5"},
-                      BadWord{"--structure", "hedge"}, BadWord{"--directions", "7"}, BadWord{"--voxel-gradient", "prewitt"}, BadWord{"--ert", "1"}, BadWord{"--ert", "-0.1"},
-                      BadWord{"--turntable", "0"}, BadWord{"--mode", "xray"}, BadWord{"--shading", "gouraud"},
-                      BadWord{"--window", "5"}, BadWord{"--tf", "preset:rainbow"}, BadWord{"--memory-limit", "lots"}));
+                      BadWord{"--gradient", "scharr"}, BadWord{"--gradient", "sobel,central"},
+                      BadWord{"--gradient", "stored,"}, BadWord{"--integration", "guess"}, BadWord{"--smooth", "0"},
+                      BadWord{"--smooth", "-1"}, BadWord{"--smooth", "nan"}, BadWord{"--sparse", "0"},
+                      BadWord{"--sparse", "-2"}, BadWord{"--sparse", "1"}, BadWord{"--sparse", "2.5"},
+                      BadWord{"--sparse", "4,-1"}, BadWord{"--cells", "0"}, BadWord{"--homogeneity", "-0.1"},
+                      BadWord{"--homogeneity", "0,181"}, BadWord{"--step", "nan"}, BadWord{"--refine-steps", "-1"},
+                      BadWord{"--refine", "magic"}, BadWord{"--refine-steps", "2.5"}, BadWord{"--structure", "hedge"},
+                      BadWord{"--directions", "7"}, BadWord{"--voxel-gradient", "prewitt"}, BadWord{"--ert", "1"},
+                      BadWord{"--ert", "-0.1"}, BadWord{"--turntable", "0"}, BadWord{"--mode", "xray"},
+                      BadWord{"--shading", "gouraud"}, BadWord{"--window", "5"}, BadWord{"--tf", "preset:rainbow"},
+                      BadWord{"--memory-limit", "lots"}));
 
 class BadRegionWords : public ProgramTest, public ::testing::WithParamInterface<BadWord> {};
 
@@ -96,6 +103,14 @@ TEST_F(Usage, FlagsThatDoNotGoTogether) {
     expect_failure(lacuna({"render", "sample:head@16", "-o", out, "--mode", "shear-warp", "--verify"}), 2, "--verify");
     expect_failure(lacuna({"render", "sample:head@16", "-o", out, "--mode", "ea", "--structure", "visible"}), 2,
                    "visible");
+    const auto refuse = [&](std::vector<std::string> words, const char* part) {
+        words.insert(words.begin(), {"render", "sample:head@16", "-o", out});
+        expect_failure(lacuna(words), 2, part);
+    };
+    refuse({"--mode", "iso", "--refine", "cubic", "--sampler", "nearest"}, "linear");
+    refuse({"--mode", "mip", "--integration", "preintegrated"}, "ea");
+    refuse({"--integration", "preintegrated", "--sampler", "adaptive"}, "linear");
+    refuse({"--integration", "preintegrated", "--homogeneity", "0.1"}, "riemann");
     expect_failure(lacuna({"regions", "sample:head@16", "--threshold", "0,1", "--range-width", "0.1"}), 2,
                    "--threshold");
     expect_failure(lacuna({"render", "sample:head@16", "-o", path("a.jpg")}), 2, "a.jpg");
