@@ -88,6 +88,9 @@ Scene wire_scene(ViewMode mode) {
     });
     Scene scene = test::small_scene(wire, mode, {96, 96});
     scene.camera = {};
+    scene.iso = 60;
+    scene.shading = Shading::none;
+    scene.classification.tf = {"wire", 1, {{40, glm::dvec3(1), 0}, {100, glm::dvec3(1), 0.9}}, {}};
     return scene;
 }
 
@@ -111,7 +114,7 @@ TEST(SparseFails, AOnePixelWireVanishesBetweenCastPixelsUnlessCellsAreAsked) {
             for (double shift : {0.0, 1.0, 2.0, 3.0, 4.0, 5.0}) {
                 scene.camera.center_mm = scene.volume.geometry().centre_mm() + glm::dvec3(0, 0, shift);
                 const Frame full = render(scene, 0, 0);
-                ASSERT_GT(brightest_inside(full), 0.3f);
+                ASSERT_GT(brightest_inside(full), 0.3f) << name_of(mode) << perspective << shift;
                 missed += brightest_inside(render(scene, 16, 0.02)) < 0.1f;
                 const Frame aware = render(scene, 16, 0.02, false, true);
                 EXPECT_LE(test::share_over(aware, full, 6.0), 0.0) << name_of(mode) << " shift " << shift;
