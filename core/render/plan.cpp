@@ -173,6 +173,8 @@ namespace {
 /// Methods that serve one mode, or not together.
 void check_methods(const Plan& plan, const Scene& scene) {
     const auto refuse = [](const char* sentence) { throw Error(Errc::bad_usage, sentence); };
+    if (plan.sampler == Sampler::adaptive && scene.mode == ViewMode::shear_warp)
+        refuse("The sampler 'adaptive' belongs to ray casting; shear-warp takes nearest or linear.");
     if (plan.refine == Refinement::cubic && scene.mode == ViewMode::iso && plan.sampler != Sampler::linear)
         refuse("The refinement 'cubic' solves the trilinear signal: it goes with the sampler linear alone.");
     const bool plain = plan.sampler != Sampler::adaptive && plan.gradient == GradientFilter::central &&

@@ -109,6 +109,7 @@ TEST_F(Usage, FlagsThatDoNotGoTogether) {
     };
     refuse({"--mode", "iso", "--refine", "cubic", "--sampler", "nearest"}, "linear");
     refuse({"--mode", "mip", "--integration", "preintegrated"}, "ea");
+    refuse({"--mode", "shear-warp", "--sampler", "adaptive"}, "nearest or linear");
     refuse({"--integration", "preintegrated", "--sampler", "adaptive"}, "linear");
     refuse({"--integration", "preintegrated", "--homogeneity", "0.1"}, "riemann");
     expect_failure(lacuna({"regions", "sample:head@16", "--threshold", "0,1", "--range-width", "0.1"}), 2,
