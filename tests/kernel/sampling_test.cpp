@@ -26,6 +26,8 @@ TEST(Adaptive, ThePictureIsThatOfLinear) {
     for (const test::NamedVolume& v : test::ugly_volumes())
         for (ViewMode mode : {ViewMode::iso, ViewMode::ea, ViewMode::mip, ViewMode::mean}) {
             if (mode == ViewMode::mean && v.name != "nan_f32") continue;
+            // Each voxel type is a kernel to compile: three tell all there is to tell.
+            if (v.volume.type() == VoxelType::i8 || v.volume.type() == VoxelType::i16) continue;
             for (bool ranged : {false, true}) {
                 if (ranged && v.name != "u16_1_1_5") continue;
                 SCOPED_TRACE(v.name + " " + std::string(name_of(mode)) + (ranged ? " ranges" : ""));
