@@ -60,6 +60,7 @@ void InputOptions::require_memory(std::uint64_t bytes, const std::string& what) 
 }
 
 Volume InputOptions::load_or_leave(std::uint64_t most_bytes, const Console& console) const {
+    if (smooth_mm > 0) return load(console);  // smoothing takes the whole volume
     std::optional<Volume> parts;
     if (open.series.empty() || open.series == "1") parts = open_volume_in_parts(input, open);
     if (!parts) {

@@ -28,14 +28,21 @@ std::vector<std::uint32_t> rank_by_size(const std::vector<std::uint64_t>& voxels
 
 }  // namespace
 
-std::shared_ptr<std::vector<std::uint32_t>> label_components(const Volume& volume, const ValueRange& range,
-                                                             Connectivity connectivity, std::int64_t min_voxels,
+std::shared_ptr<std::vector<std::uint32_t>> label_components(const Volume& volume, const RegionOptions& options,
                                                              const JobContext& job) {
     const glm::ivec3 size = volume.geometry().size;
-    const runs::RunList list = runs::find_runs(size, runs::mark_in_range(volume, range), job.part(0, 0.4));
-    const runs::Components components = runs::join(list, connectivity, job.part(0.4, 0.6));
+    const runs::MarkRow in_range = runs::mark_in_range(volume, *options.threshold);
+    const runs::MarkRow eligible = mark_eligible(volume, options);
+    const runs::MarkRow both = [&](int y, int z, std::uint8_t* marks) {
+        std::vector<std::uint8_t> also(std::size_t(size.x));
+        in_range(y, z, marks);
+        eligible(y, z, also.data());
+        for (int x = 0; x < size.x; ++x) marks[x] &= also[std::size_t(x)];
+    };
+    const runs::RunList list = runs::find_runs(size, options.gradient_limit ? both : in_range, job.part(0, 0.4));
+    const runs::Components components = runs::join(list, options.connectivity, job.part(0.4, 0.6));
     std::uint32_t count = 0;
-    const std::vector<std::uint32_t> final_id = rank_by_size(components.voxels, min_voxels, count);
+    const std::vector<std::uint32_t> final_id = rank_by_size(components.voxels, options.min_voxels, count);
 
     auto labels = std::make_shared<std::vector<std::uint32_t>>(std::size_t(volume.geometry().voxel_count()));
     parallel_for(

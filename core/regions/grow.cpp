@@ -202,34 +202,15 @@ private:
     const JobContext& job_;
 };
 
-template <class T>
-void mark_ineligible(const Volume& volume, const std::optional<ValueRange>& background,
-                     std::vector<std::uint32_t>& labels, const JobContext& job) {
-    if (std::is_integral_v<T> && !background) return;
-    const glm::ivec3 size = volume.geometry().size;
-    const std::int64_t slice = std::int64_t(size.x) * size.y;
-    const T* values = volume.view<T>().data;
-    parallel_for(
-        0, size.z,
-        [&](std::int64_t z) {
-            for (std::int64_t i = z * slice; i < (z + 1) * slice; ++i) {
-                const double value = double(values[i]);
-                if (!std::isfinite(value) || (background && background->contains(value)))
-                    labels[std::size_t(i)] = k_never;
-            }
-        },
-        job);
-}
-
 }  // namespace
 
-ProvisionalLabels grow_regions(const Volume& volume, double width, const std::optional<ValueRange>& background,
-                               Connectivity connectivity, std::int64_t min_voxels, const JobContext& job) {
+ProvisionalLabels grow_regions(const Volume& volume, double width, const RegionOptions& options,
+                               const JobContext& job) {
+    const glm::ivec3 size = volume.geometry().size;
     ProvisionalLabels result;
     result.labels = fresh_labels(std::size_t(volume.geometry().voxel_count()));
     visit_type(volume.type(), [&](auto tag) {
         using T = decltype(tag);
-        mark_ineligible<T>(volume, background, *result.labels, job.part(0, 0.05));
         const JobContext growing = job.part(0.05, 1);
         Grower<T>(volume, *result.labels, width, connectivity, min_voxels, growing)
             .grow_all(result.voxels, result.mean);

@@ -7,10 +7,14 @@
 
 #include "core/base/job.h"
 #include "core/regions/regions.h"
+#include "core/regions/run_components.h"
 #include "core/volume/volume.h"
 
 /// The steps of find_regions, seen only inside the room.
 namespace lacuna::labelling {
+
+/// Rows of marks: 1 for voxels that may be in a region (finite, no background, gradient within the limit).
+runs::MarkRow mark_eligible(const Volume& volume, const RegionOptions& options);
 
 /// Label of a voxel that is in no region and can join none. Outside of the steps here it is never seen.
 inline constexpr std::uint32_t k_never = 0xFFFFFFFFu;
@@ -31,14 +35,17 @@ struct ProvisionalLabels {
 /// refused once would be refused for good, because the admissible values only shrink: at the end no voxel left over
 /// beside a region fits it. Regions under `min_voxels` go to k_never. Cost: one visit per voxel and face; no
 /// allocation per region.
-ProvisionalLabels grow_regions(const Volume& volume, double width, const std::optional<ValueRange>& background,
-                               Connectivity connectivity, std::int64_t min_voxels, const JobContext& job);
+ProvisionalLabels grow_regions(const Volume& volume, double width, const RegionOptions& options, const JobContext& job);
 
 /// Connected components of the voxels within `range`, by runs of rows: final ids 1..n per voxel by descending size,
 /// ties by first voxel; components under `min_voxels` are 0. @throws Error(bad_usage) beyond k_most_regions
-std::shared_ptr<std::vector<std::uint32_t>> label_components(const Volume& volume, const ValueRange& range,
-                                                             Connectivity connectivity, std::int64_t min_voxels,
+std::shared_ptr<std::vector<std::uint32_t>> label_components(const Volume& volume, const RegionOptions& options,
                                                              const JobContext& job);
+
+/// Gives slivers (RegionOptions::merge_slivers) to their neighbours and ranks ids by size anew. Cost: two passes over
+/// the rows; memory follows the runs of what is left over.
+void merge_slivers(const Volume& volume, const RegionOptions& options, std::vector<std::uint32_t>& labels,
+                   const JobContext& job);
 
 /// Renumbers in place: final ids 1..n by descending size, ties by first voxel; regions under `min_voxels` and k_never
 /// become 0; means follow their regions. Returns n. @throws Error(bad_usage) beyond k_most_regions

@@ -23,6 +23,8 @@ void check_options(const Volume& volume, const RegionOptions& options) {
     if (options.background && !(options.background->lo <= options.background->hi))
         throw Error(Errc::bad_usage, "The background's lower value must not exceed its upper one.");
     if (options.min_voxels < 1) throw Error(Errc::bad_usage, "The smallest region has 1 voxel: give at least 1.");
+    if (options.gradient_limit && !(*options.gradient_limit >= 0))
+        throw Error(Errc::bad_usage, "The gradient limit is a number from 0 up, in the volume's unit per mm.");
     const int adjacency = int(options.connectivity);
     if (adjacency != 6 && adjacency != 18 && adjacency != 26)
         throw Error(Errc::bad_usage, "The connectivity is 6, 18 or 26.");
@@ -69,16 +71,15 @@ RegionTable find_regions(const Volume& volume, const RegionOptions& options, con
     RegionTable table;
     table.value_range = finite_range(volume, job.part(0, 0.03));
     if (options.range_width) {
-        labelling::ProvisionalLabels provisional =
-            labelling::grow_regions(volume, *options.range_width * table.value_range.width(), options.background,
-                                    options.connectivity, options.min_voxels, job.part(0.03, 0.5));
+        labelling::ProvisionalLabels provisional = labelling::grow_regions(
+            volume, *options.range_width * table.value_range.width(), options, job.part(0.03, 0.5));
         labelling::number_by_size(provisional, options.min_voxels, job.part(0.5, 0.55));
         table.labels = {volume.geometry(), provisional.labels};
     } else {
-        table.labels = {volume.geometry(), labelling::label_components(volume, *options.threshold, options.connectivity,
-                                                                       options.min_voxels, job.part(0.03, 0.55))};
+        table.labels = {volume.geometry(), labelling::label_components(volume, options, job.part(0.03, 0.55))};
     }
-    table.rows = measure_regions(volume, table.labels, options.connectivity, job.part(0.55, 1));
+    if (options.merge_slivers) labelling::merge_slivers(volume, options, *table.labels.labels, job.part(0.55, 0.6));
+    table.rows = measure_regions(volume, table.labels, options.connectivity, job.part(0.6, 1));
     table.surface_method = "Crofton's formula, 13 directions, weighted for the voxel spacing";
     table.adjacency = describe_adjacency(options.connectivity);
     return table;

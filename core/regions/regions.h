@@ -22,6 +22,11 @@ struct RegionOptions {
     std::optional<ValueRange> background;  ///< range_width only: values never grown (default: none)
     Connectivity connectivity = Connectivity::c6;
     std::int64_t min_voxels = 1;  ///< smaller regions go back to background
+    /// Voxels with a larger gradient (central differences, unit per mm) belong to no region: edges part regions.
+    std::optional<double> gradient_limit;
+    /// Slivers are what is left over between regions in face-connected pieces under min_voxels; each joins the region
+    /// it shares most faces with (ties: the lower id) instead of going to background.
+    bool merge_slivers = false;
 };
 
 /// The row of `lacuna regions` (contract). Lengths in mm.

@@ -115,6 +115,7 @@ Plan with_bricks(const Plan& plan, const Scene& scene, const MemoryBudget& budge
         throw Error(Errc::out_of_memory, "Drawing this volume brick by brick takes at least " + mb(fixed + least) +
                                              " and the limit is " + mb(budget.total) +
                                              "; raise --memory-limit or make a smaller picture.");
+    check(out, scene);  // not every method works on bricks
     out.brick_bytes = left;
     if (!asked) out.why.push_back(reason(scene, out.brick, budget));
     return out;

@@ -205,5 +205,51 @@ TEST(Growing, ACancelInTheMiddleStopsEveryStepSoon) {
     }
 }
 
+TEST(Growing, TheGradientLimitKeepsEdgesOut) {
+    // A step of 10 over one voxel, then flat: within the width, so without a limit all is one region.
+    const Volume volume =
+        volume_of<std::uint8_t>(grid({12, 5, 5}, {0.5, 1, 1}), [](int x, int, int) { return x < 6 ? 50 : 60; });
+    RegionOptions options;
+    options.range_width = 1;
+    EXPECT_EQ(find_regions(volume, options).rows.size(), 1u);
+    options.gradient_limit = 9.9;  // central difference at the step: 10 over 1 mm
+    const RegionTable table = find_regions(volume, options);
+    ASSERT_EQ(table.rows.size(), 2u);
+    EXPECT_EQ(table.rows[0].voxels, 5 * 25);
+    EXPECT_EQ(table.labels(5, 2, 2), 0u);
+    EXPECT_EQ(table.labels(6, 2, 2), 0u);
+    options.gradient_limit = 10;
+    EXPECT_EQ(find_regions(volume, options).rows.size(), 1u);
+    options.gradient_limit = -1;
+    EXPECT_THROW(find_regions(volume, options), Error);
+
+    RegionOptions components;
+    components.threshold = ValueRange{40, 70};
+    components.gradient_limit = 9.9;
+    EXPECT_EQ(find_regions(volume, components).rows.size(), 2u);
+}
+
+TEST(Growing, SliversJoinTheRegionTheyTouchMost) {
+    // Two halves with single odd voxels: one at the border of both, nearer the left; one in the right.
+    const auto value = [](int x, int y, int z) {
+        if (glm::ivec3(x, y, z) == glm::ivec3(4, 2, 2) || glm::ivec3(x, y, z) == glm::ivec3(8, 2, 2)) return 200;
+        return x < 5 ? 10 : 100;
+    };
+    const Volume volume = volume_of<std::uint8_t>(grid({12, 5, 5}), value);
+    RegionOptions options;
+    options.range_width = 0.1;
+    options.min_voxels = 5;
+    EXPECT_EQ(find_regions(volume, options).labels(4, 2, 2), 0u);
+    options.merge_slivers = true;
+    const RegionTable table = find_regions(volume, options);
+    ASSERT_EQ(table.rows.size(), 2u);
+    EXPECT_EQ(table.labels(4, 2, 2), table.labels(0, 0, 0));
+    EXPECT_EQ(table.labels(8, 2, 2), table.labels(11, 0, 0));
+    EXPECT_EQ(table.rows[0].voxels + table.rows[1].voxels, 300);
+    EXPECT_GE(table.rows[0].voxels, table.rows[1].voxels);
+    options.background = ValueRange{200, 200};  // background is no sliver
+    EXPECT_EQ(find_regions(volume, options).labels(4, 2, 2), 0u);
+}
+
 }  // namespace
 }  // namespace lacuna::test
