@@ -54,7 +54,6 @@ RenderResult Engine::render(const Scene& scene, const Plan& asked, const JobCont
     check(scene);
     check(asked, scene);
     const Plan plan = asked.brick > 0 && asked.brick_bytes > 0 ? asked : fitted(asked, scene);
-    if (plan.brick != asked.brick) check(plan, scene);
     std::unique_lock lock(mutex_, std::defer_lock);
     while (!lock.try_lock_for(std::chrono::milliseconds(10))) job.check();
     job.check();

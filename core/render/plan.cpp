@@ -142,7 +142,9 @@ void add_method_reasons(Plan& plan, const Scene& scene) {
     const auto add = [&](const char* sentence) { plan.why.emplace_back(sentence); };
     if (plan.sampler == Sampler::adaptive)
         add(plan.structure == Structure::none
-                ? "Adaptive sampler: nearest in blocks whose every value is drawn alike, so the picture is linear's."
+                ? "Adaptive sampler: nearest in blocks whose every value is drawn alike, so the picture is linear's; "
+                  "most "
+                  "reads of eight voxels go, little of the time."
                 : "Adaptive sampler: little to gain here, the structure already leaves out most blocks that are drawn "
                   "alike.");
     if (scene.mode == ViewMode::iso && plan.refine == Refinement::cubic)
@@ -252,6 +254,13 @@ void check_methods(const Plan& plan, const Scene& scene) {
         refuse("The sampler 'adaptive' belongs to ray casting; shear-warp takes nearest or linear.");
     if (plan.refine == Refinement::cubic && scene.mode == ViewMode::iso && plan.sampler != Sampler::linear)
         refuse("The refinement 'cubic' solves the trilinear signal: it goes with the sampler linear alone.");
+    const bool plain = plan.sampler != Sampler::adaptive && plan.gradient == GradientFilter::central &&
+                       plan.gradient_store == GradientStore::on_the_fly && plan.integration == Integration::riemann &&
+                       plan.refine != Refinement::cubic && !plan.sparse_aware;
+    if (plan.brick != 0 && !plain)
+        refuse(
+            "Bricks go with the samplers nearest and linear, central gradients on the fly, the integration riemann, "
+            "refinements other than cubic and plain sparse casting.");
     if (plan.integration == Integration::riemann) return;
     if (scene.mode != ViewMode::ea)
         refuse("Pre-integrated segments serve the mode ea alone; take the integration riemann for the others.");
@@ -283,17 +292,12 @@ void check(const Plan& plan, const Scene& scene) {
         throw Error(Errc::bad_usage, "The brick edge must lie between 8 and 1024 voxels; 0: no bricks.");
     if (plan.brick != 0 && scene.mode == ViewMode::shear_warp)
         throw Error(Errc::bad_usage, "Shear-warp does not work on bricks; use mode iso.");
-    const bool whole_volume = (scene.mode == ViewMode::iso && plan.refine == Refinement::cubic) ||
-                              (scene.mode == ViewMode::ea && plan.integration == Integration::preintegrated) ||
-                              plan.sampler == Sampler::adaptive || scene.regions ||
-                              (plan.structure == Structure::leap && plan.leap.kernel != Leaping::lossless) ||
-                              plan.gradient_store == GradientStore::stored || (plan.sparse != 0 && plan.sparse_aware);
-    if (plan.brick != 0 && whole_volume)
+    if (plan.brick != 0 &&
+        (scene.regions || (plan.structure == Structure::leap && plan.leap.kernel != Leaping::lossless)))
         throw Error(
             Errc::bad_usage,
-            "Bricks are cast with point samples, nearest or linear, and gradients on the fly: leave out cubic "
-            "refinement, pre-integration, the adaptive sampler, stored gradients, aware sparse casting, regions "
-            "and leaping kernels, or raise the memory limit.");
+            "Regions and leaping kernels need the whole volume at hand, not bricks of it; leave one out, or raise "
+            "the memory limit.");
     if (scene.regions && ((scene.mode == ViewMode::iso && plan.refine == Refinement::cubic) ||
                           (scene.mode == ViewMode::ea && plan.integration == Integration::preintegrated) ||
                           (plan.sampler == Sampler::adaptive && !scene.regions.functions.empty())))

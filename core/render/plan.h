@@ -72,7 +72,6 @@ struct Plan {
     LeapPlan leap;              ///< structure leap only
     int brick = 0;  ///< the volume is cut into bricks of so many voxels an edge, cast one after the other; 0: whole
     std::uint64_t brick_bytes = 0;  ///< bricks and their structures may take so much together; 0: Engine says
-    bool sparse_aware = false;      ///< also where min-max cells allow for something between the cast rays
     std::vector<std::string> why;   ///< one sentence a choice, and what was not built
 };
 

@@ -90,28 +90,6 @@ void put_volume(RayParams& p, glm::ivec3 size, glm::ivec3 stored_size) {
     p.stride_z = s_uint(std::int64_t(stored_size.x) * stored_size.y);
 }
 
-namespace {
-
-/// For exact intersection: the values inside the object as intervals that do not meet, so that each end is a turn.
-void put_merged_ranges(RayParams& p, const Scene& scene) {
-    std::vector<ValueRange> merged;
-    for (const SegmentationRange& r : scene.classification.ranges)
-        if (const double lo = std::max(scene.iso, r.range.lo); lo <= r.range.hi) merged.push_back({lo, r.range.hi});
-    std::sort(merged.begin(), merged.end(), [](const ValueRange& a, const ValueRange& b) { return a.lo < b.lo; });
-    p.range_count = 0;
-    for (const ValueRange& r : merged) {
-        const int last = p.range_count - 1;
-        if (last >= 0 && float(r.lo) <= p.range[last][1]) {
-            p.range[last][1] = std::max(p.range[last][1], float(r.hi));
-            continue;
-        }
-        p.range[p.range_count][0] = float(r.lo);
-        p.range[p.range_count++][1] = float(r.hi);
-    }
-}
-
-}  // namespace
-
 RayParams make_ray_params(const Scene& scene, const Plan& plan, glm::ivec3 stored_size, const TransferTables* tables) {
     const GridGeometry& grid = scene.volume.geometry();
     RayParams p{};
