@@ -209,10 +209,25 @@ ProvisionalLabels grow_regions(const Volume& volume, double width, const RegionO
     const glm::ivec3 size = volume.geometry().size;
     ProvisionalLabels result;
     result.labels = fresh_labels(std::size_t(volume.geometry().voxel_count()));
+    if (volume.type() == VoxelType::f32 || options.background || options.gradient_limit) {
+        const runs::MarkRow eligible = mark_eligible(volume, options);
+        parallel_for(
+            0, size.z,
+            [&](std::int64_t z) {
+                std::vector<std::uint8_t> marks(std::size_t(size.x));
+                for (int y = 0; y < size.y; ++y) {
+                    eligible(y, int(z), marks.data());
+                    std::uint32_t* row = result.labels->data() + volume.geometry().linear_index(0, y, int(z));
+                    for (int x = 0; x < size.x; ++x)
+                        if (!marks[std::size_t(x)]) row[x] = k_never;
+                }
+            },
+            job.part(0, 0.05));
+    }
     visit_type(volume.type(), [&](auto tag) {
         using T = decltype(tag);
         const JobContext growing = job.part(0.05, 1);
-        Grower<T>(volume, *result.labels, width, connectivity, min_voxels, growing)
+        Grower<T>(volume, *result.labels, width, options.connectivity, options.min_voxels, growing)
             .grow_all(result.voxels, result.mean);
     });
     return result;

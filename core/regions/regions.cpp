@@ -91,8 +91,7 @@ HomogeneousRegions grow_homogeneous_regions(const Volume& volume, const RegionOp
     HomogeneousRegions made;
     made.value_range = finite_range(volume, job.part(0, 0.04));
     labelling::ProvisionalLabels provisional =
-        labelling::grow_regions(volume, *options.range_width * made.value_range.width(), options.background,
-                                options.connectivity, options.min_voxels, job.part(0.04, 0.9));
+        labelling::grow_regions(volume, *options.range_width * made.value_range.width(), options, job.part(0.04, 0.9));
     labelling::number_by_size(provisional, options.min_voxels, job.part(0.9, 1));
     made.labels = {volume.geometry(), provisional.labels};
     made.mean = std::move(provisional.mean);
