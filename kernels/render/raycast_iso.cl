@@ -78,8 +78,12 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
     ADAPTIVE_STATE
 
     // The entry itself: inside the object there, the ray hits the volume's side or the cap, or goes on (open cut).
-    VF entry_value = sample_volume(volume, p, ray_at(&r, r.enter));
-    VI starts_inside = kept & ENTERS_HERE(&r) & MASK(iso_measure(p, entry_value) >= zero);
+    // Where the structure knows the entry's cell to be empty no voxel needs to be read.
+    VF entry_value = (VF)(-INFINITY);
+    const VI enters = kept & ENTERS_HERE(&r);
+    if (any_lane(enters & ~SURELY_EMPTY(p, &r, STRUCTURE, r.enter)))
+        entry_value = sample_volume(volume, p, ray_at(&r, r.enter));
+    VI starts_inside = enters & MASK(iso_measure(p, entry_value) >= zero);
     VI face_hit = starts_inside & MASK(r.entry != (VI)(ENTRY_OPEN));
     Idle state = {starts_inside & ~face_hit};
 

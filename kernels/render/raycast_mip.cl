@@ -36,6 +36,7 @@ INLINE VI lmip_cannot_win(const Idle* state, VF largest) {
 #define IS_IDLE(state, cell_class, structure, cell) \
     (MASK((cell_class) == (VI)(CELL_NONE)) | CANNOT_WIN(state, structure, cell))
 #include "include/skip.clh"
+#include "include/beam.clh"
 
 kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                         global const uint* restrict lut_color,
@@ -71,10 +72,21 @@ kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParam
 
     int k = min_lane(MASK(r.end > r.first) ? r.first : (VI)(0x7fffffff));
     const int end = max_lane(r.end);
+#if LACUNA_BEAM
+    int beam_reads = 0;
+    Beam beam;
+    make_beam(p, &r, STRUCTURE, k, end, &beam, &beam_reads);
+    const VF reach = beam_reach(volume, p, &r, &beam, end);
+    COUNT(reads += beam_reads;)
+#endif
     while (k < end) {
         VI live = MASK(r.end > (VI)(k)) & ~done;
         if (!any_lane(live)) break;
+#if LACUNA_BEAM
+        const Skip skip = beam_next(&beam, state.best, reach, k, end, live);
+#else
         const Skip skip = next_sample(p, &r, STRUCTURE, &state, k, end, live);
+#endif
         COUNT(reads += skip.reads; skipped += jumped(&r, live, k, skip.next);)
         k = skip.next;
         for (; k < skip.until; ++k) {
