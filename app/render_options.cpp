@@ -260,6 +260,7 @@ Plan RenderOptions::plan(const Scene& scene) const {
         plan.why.push_back(fmt::format("{} as asked for", flag));
     };
     take(plan.structure, structure_, "--structure");
+    if (structure_) plan.cells = Plan{}.cells;  // fine cells were chosen for the default structure
     take(plan.step, step_, "--step");
     take(plan.sampler, sampler_, "--sampler");
     take(plan.refine, refine_, "--refine");
@@ -284,6 +285,7 @@ Plan RenderOptions::plan(const Scene& scene) const {
     plan.sparse_aware = sparse_aware_;
     take(plan.homogeneity, homogeneity_, "--homogeneity");
     if (homogeneity_angle_) plan.homogeneity_angle_deg = *homogeneity_angle_;
+    if (const std::string note = gain_note(plan, scene); !note.empty()) plan.why.push_back(note);
     return plan;
 }
 

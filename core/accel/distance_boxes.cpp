@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "core/accel/distance_field.h"
+#include "core/accel/octant_sweep.h"
 #include "core/base/parallel.h"
 
 namespace lacuna {
@@ -31,7 +32,12 @@ public:
     /// The least over `first` x `second` cells from the cell on, all inside the slab.
     int least(std::size_t cell, int first, int second) const {
         const int level = std::bit_width(unsigned(std::min(first, second))) - 1, edge = 1 << level;
-        const std::vector<std::uint8_t>& values = levels_[std::size_t(level)];
+        const std::uint8_t* values = levels_[std::size_t(level)].data();
+        if (first <= 2 * edge && second <= 2 * edge) {  // four windows cover it: nearly always
+            const std::uint8_t* corner = values + cell;
+            const std::size_t a = std::size_t(first - edge) * stride_[0], b = std::size_t(second - edge) * stride_[1];
+            return std::min(std::min(corner[0], corner[a]), std::min(corner[b], corner[a + b]));
+        }
         int found = k_limit;
         for (int a = 0;; a = std::min(a + edge, first - edge)) {
             for (int b = 0;; b = std::min(b + edge, second - edge)) {
@@ -53,9 +59,11 @@ private:
         to = from;
         const std::size_t step = along(axis, size), line = step * std::size_t(size[axis]);
         const std::size_t inner = line - std::min(line, step * std::size_t(shift));
-        for (std::size_t start = 0; start < from.size(); start += line)
-            for (std::size_t i = 0; i < inner; ++i)
-                to[start + i] = std::min(from[start + i], from[start + i + step * std::size_t(shift)]);
+        for (std::size_t start = 0; start < from.size(); start += line) {
+            const std::uint8_t *here = from.data() + start, *there = here + step * std::size_t(shift);
+            std::uint8_t* out = to.data() + start;
+            for (std::size_t i = 0; i < inner; ++i) out[i] = std::min(here[i], there[i]);
+        }
     }
 
     std::array<std::vector<std::uint8_t>, k_levels> levels_;
@@ -66,12 +74,14 @@ private:
 /// A slab of cells turned so that its octant looks towards larger coordinates.
 class OctantSlab {
 public:
-    OctantSlab(const RegionGrid& grid, int octant, int first_slice)
-        : grid_(grid), octant_(octant), first_(first_slice), size_(grid.size) {
+    /// @param cubes  the octant's cubes, of the whole grid
+    OctantSlab(const RegionGrid& grid, int octant, const std::uint8_t* cubes, Extend extend, int first_slice)
+        : grid_(grid), octant_(octant), extend_(extend), first_(first_slice), size_(grid.size) {
         size_.z = std::min(k_slab + k_halo, grid.size.z - first_slice);
-        copy_turned();
+        copy_turned(grid.region.data(), region_);
+        copy_turned(cubes, cube_);
+        for (std::uint8_t& c : cube_) c = std::min(std::uint8_t(c & k_cube_limit), k_limit);
         measure_runs();
-        measure_cubes();
         const int largest = *std::max_element(cube_.begin(), cube_.end());
         minima_[0].build(std::move(runs_[0]), size_, {1, 2}, largest);
         minima_[1].build(std::move(runs_[1]), size_, {0, 2}, largest);
@@ -94,12 +104,12 @@ private:
         return (std::size_t(sz) * std::size_t(size_.y) + std::size_t(sy)) * std::size_t(size_.x);
     }
 
-    void copy_turned() {
-        region_.resize(std::size_t(size_.x) * std::size_t(size_.y) * std::size_t(size_.z));
-        auto out = region_.begin();
+    void copy_turned(const std::uint8_t* from, std::vector<std::uint8_t>& to) const {
+        to.resize(std::size_t(size_.x) * std::size_t(size_.y) * std::size_t(size_.z));
+        auto out = to.begin();
         for (int z = 0; z < size_.z; ++z)
             for (int y = 0; y < size_.y; ++y, out += size_.x) {
-                const auto row = grid_.region.begin() + std::ptrdiff_t(source_row(y, z));
+                const std::uint8_t* row = from + source_row(y, z);
                 if (octant_ & 1)
                     std::reverse_copy(row, row + size_.x, out);
                 else
@@ -107,72 +117,66 @@ private:
             }
     }
 
-    /// How many cells from each on, along each axis, are of one region.
+    /// How many cells from each on, along each axis, are of one region: row by row, from the far end.
     void measure_runs() {
-        const std::size_t steps[3] = {1, std::size_t(size_.x), std::size_t(size_.x) * std::size_t(size_.y)};
-        for (int axis = 0; axis < 3; ++axis) {
-            std::vector<std::uint8_t>& runs = runs_[std::size_t(axis)];
-            runs.resize(region_.size());
-            std::size_t i = region_.size();
-            for (int z = size_.z - 1; z >= 0; --z)
-                for (int y = size_.y - 1; y >= 0; --y)
-                    for (int x = size_.x - 1; x >= 0; --x) {
-                        --i;
-                        const int at = axis == 0 ? x : axis == 1 ? y : z;
-                        const bool last = at == size_[axis] - 1;
-                        const std::size_t next = last ? i : i + steps[axis];
-                        const int more = last                          ? int(k_limit)
-                                         : region_[next] == region_[i] ? std::min(int(runs[next]) + 1, int(k_limit))
-                                                                       : 1;
-                        runs[i] = std::uint8_t(region_[i] ? more : 0);
-                    }
+        for (std::vector<std::uint8_t>& runs : runs_) runs.resize(region_.size());
+        const std::size_t dy = std::size_t(size_.x), dz = dy * std::size_t(size_.y);
+        for (int z = size_.z - 1; z >= 0; --z)
+            for (int y = size_.y - 1; y >= 0; --y) {
+                const std::size_t at = std::size_t(z) * dz + std::size_t(y) * dy;
+                run_along_row(at);
+                run_across_rows(runs_[1], at, y + 1 == size_.y ? 0 : dy);
+                run_across_rows(runs_[2], at, z + 1 == size_.z ? 0 : dz);
+            }
+    }
+
+    void run_along_row(std::size_t at) {
+        const std::uint8_t* region = region_.data() + at;
+        std::uint8_t* runs = runs_[0].data() + at;
+        int run = k_limit;  // cells outside the grid limit nothing
+        for (int x = size_.x - 1; x >= 0; --x) {
+            const bool goes_on = x + 1 == size_.x || region[x + 1] == region[x];
+            run = goes_on ? std::min(run + 1, int(k_limit)) : 1;
+            runs[x] = std::uint8_t(region[x] ? run : 0);
         }
     }
 
-    /// The ACD of the octant: one sweep, as in octant_field, up to 31.
-    void measure_cubes() {
-        cube_.resize(region_.size());
-        std::size_t i = region_.size();
-        const std::size_t dy = std::size_t(size_.x), dz = dy * std::size_t(size_.y);
-        for (int z = size_.z - 1; z >= 0; --z)
-            for (int y = size_.y - 1; y >= 0; --y)
-                for (int x = size_.x - 1; x >= 0; --x) {
-                    --i;
-                    if (!region_[i]) continue;
-                    int least = k_limit;
-                    for (int n = 1; n < 8; ++n) {
-                        const bool nx = n & 1, ny = n & 2, nz = n & 4;
-                        if ((nx && x + 1 == size_.x) || (ny && y + 1 == size_.y) || (nz && z + 1 == size_.z)) continue;
-                        const std::size_t j = i + (nx ? 1 : 0) + (ny ? dy : 0) + (nz ? dz : 0);
-                        least = std::min(least, region_[j] == region_[i] ? int(cube_[j]) : 0);
-                    }
-                    cube_[i] = std::uint8_t(std::min(least + 1, int(k_limit)));
-                }
+    /// @param step  to the next row along the axis; 0: this is the last one
+    void run_across_rows(std::vector<std::uint8_t>& all, std::size_t at, std::size_t step) {
+        const std::uint8_t *here = region_.data() + at, *there = here + step, *next = all.data() + at + step;
+        std::uint8_t* runs = all.data() + at;
+        const int width = size_.x;
+        if (step == 0) {
+            for (int x = 0; x < width; ++x) runs[x] = here[x] ? k_limit : std::uint8_t(0);
+            return;
+        }
+        constexpr std::uint8_t k_before_limit = k_limit - 1;
+        for (int x = 0; x < width; ++x) {
+            const auto more = std::uint8_t(std::min(next[x], k_before_limit) + 1);
+            const std::uint8_t run = there[x] == here[x] ? more : std::uint8_t(1);
+            runs[x] = here[x] ? run : std::uint8_t(0);
+        }
     }
 
     std::uint16_t grown(std::size_t i, glm::ivec3 at) const {
         const int cube = cube_[i];
         if (cube == 0) return 0;
         glm::ivec3 box(cube);
-        if (cube < k_limit) {
-            int first = -1;
-            for (int turn = 0; turn < 2; ++turn) {  // the axis that gains most, then the better of the others
-                int best = -1, reach = 0;
-                for (int axis = 0; axis < 3; ++axis) {
-                    if (axis == first) continue;
-                    const int far = extent(i, at, axis, box);
-                    if (best < 0 || gain(box, axis, far) > gain(box, best, reach)) best = axis, reach = far;
-                }
-                box[best] = reach;
-                first = best;
-            }
+        if (cube < k_limit && (extend_ == Extend::both || region_[i] == 1)) {
+            // All faces of the cube have one area, and so have the two after the first extension: the axis that gains
+            // most is the one that reaches farthest.
+            const glm::ivec3 reach(extent(i, at, 0, box), extent(i, at, 1, box), extent(i, at, 2, box));
+            const int first = reach.y > reach.x ? (reach.z > reach.y ? 2 : 1) : (reach.z > reach.x ? 2 : 0);
+            box[first] = reach[first];
+            const int second = first == 0 ? 1 : 0, third = first == 2 ? 1 : 2;
+            const int far = extent(i, at, second, box), farther = extent(i, at, third, box);
+            if (farther > far)
+                box[third] = farther;
+            else
+                box[second] = far;
         }
         const int kind = region_[i] == 2 ? 0x8000 : 0;
         return std::uint16_t(box.x | box.y << 5 | box.z << 10 | kind);
-    }
-
-    static int gain(glm::ivec3 box, int axis, int far) {
-        return (far - box[axis]) * (box.x * box.y * box.z / box[axis]);
     }
 
     /// How far the box can reach along an axis: the shortest run over its face. Cells outside the grid limit nothing.
@@ -183,7 +187,9 @@ private:
     }
 
     const RegionGrid& grid_;
-    int octant_, first_;
+    int octant_;
+    Extend extend_;
+    int first_;
     glm::ivec3 size_;
     std::vector<std::uint8_t> region_, cube_;
     std::array<std::vector<std::uint8_t>, 3> runs_;
@@ -192,16 +198,22 @@ private:
 
 }  // namespace
 
-VoxelBuffer box_field(const RegionGrid& grid, const JobContext& job) {
+VoxelBuffer box_field(const RegionGrid& grid, const JobContext& job, Extend extend) {
     const std::size_t cells = grid.region.size();
     VoxelBuffer made(8 * cells * sizeof(std::uint16_t));
     auto* field = reinterpret_cast<std::uint16_t*>(made.data());
     const int slabs = (grid.size.z + k_slab - 1) / k_slab;
+    const JobContext poll{job.stop, nullptr};
     parallel_for(
-        0, std::int64_t(8) * slabs,
-        [&](std::int64_t i) {
-            const int octant = int(i) / slabs, slab = int(i) % slabs;
-            OctantSlab(grid, octant, slab * k_slab).write(field + std::size_t(octant) * cells);
+        0, 8,
+        [&](std::int64_t octant) {
+            std::vector<std::uint8_t> cubes(cells);
+            sweep_octant(grid, int(octant), cubes.data(), poll);
+            for (int slab = 0; slab < slabs; ++slab) {
+                poll.check();
+                OctantSlab(grid, int(octant), cubes.data(), extend, slab * k_slab)
+                    .write(field + std::size_t(octant) * cells);
+            }
         },
         job);
     return made;

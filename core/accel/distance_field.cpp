@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/accel/octant_sweep.h"
 #include "core/base/parallel.h"
 
 namespace lacuna {
@@ -30,24 +31,41 @@ private:
 
 struct RowScratch {
     std::vector<std::uint8_t> nearest, bound;
-    explicit RowScratch(int width) : nearest(std::size_t(width) + 2), bound(std::size_t(width)) {}
+    /// Two rows with k_limit cells around them that limit nothing, which stay so.
+    std::array<std::vector<std::uint8_t>, 2> run;
+    explicit RowScratch(int width)
+        : nearest(std::size_t(width) + 2),
+          bound(std::size_t(width)),
+          run{std::vector<std::uint8_t>(std::size_t(width) + 2 * k_limit, k_limit), {}} {
+        run[1] = run[0];
+    }
 };
 
 /// d[x] = min(bound[x], d[x - step] + 1), walked in the direction of `step`; what lies before the row limits nothing.
-void run_along(const std::uint8_t* bound, std::uint8_t* d, int width, int step) {
-    int run = k_limit;
-    for (int i = 0; i < width; ++i) {
-        const int x = step > 0 ? i : width - 1 - i;
-        run = std::min(run + 1, int(bound[x]));
-        d[x] = std::uint8_t(run);
+/// By doubling: what is nearest within 2s cells is the nearer of what is nearest within s and s cells on. Each pass is
+/// a loop of independent bytes, where the walk would wait for every single cell.
+void run_along(const std::uint8_t* bound, std::uint8_t* d, int width, int step, RowScratch& scratch) {
+    std::uint8_t *from = scratch.run[0].data() + k_limit, *to = scratch.run[1].data() + k_limit;
+    std::copy_n(bound, width, from);
+    for (int s = 1; s <= k_limit && s < width; s *= 2) {
+        const std::uint8_t* before = from - step * s;
+        for (int x = 0; x < width; ++x) {
+            const auto further = std::uint8_t(before[x] + s);
+            to[x] = std::min(from[x], further);
+        }
+        std::swap(from, to);
     }
+    std::copy_n(from, width, d);
 }
 
 void bound_members(const std::uint8_t* region, int wanted, RowScratch& row, int width) {
     // bound holds the least of the neighbours: one more for a cell of the region, none for another.
+    constexpr std::uint8_t k_before_limit = k_limit - 1;
+    const auto kind = std::uint8_t(wanted);
+    std::uint8_t* bound = row.bound.data();
     for (int x = 0; x < width; ++x) {
-        const auto more = std::uint8_t(std::min(int(row.bound[std::size_t(x)]) + 1, int(k_limit)));
-        row.bound[std::size_t(x)] = region[x] == wanted ? more : std::uint8_t(0);
+        const auto more = std::uint8_t(std::min(bound[x], k_before_limit) + 1);
+        bound[x] = region[x] == kind ? more : std::uint8_t(0);
     }
 }
 
@@ -59,8 +77,8 @@ void sweep_chessboard_row(const RollingSlices& before, RollingSlices& now, const
     std::uint8_t* nearest = scratch.nearest.data();
     for (int i = 0; i < width + 2; ++i)
         nearest[i] = std::min(std::min(a[i - 1], b[i - 1]), std::min(c[i - 1], d[i - 1]));
-    for (int x = 0; x < width; ++x)
-        scratch.bound[std::size_t(x)] = std::min(std::min(nearest[x], nearest[x + 1]), nearest[x + 2]);
+    std::uint8_t* bound = scratch.bound.data();  // local: bytes alias everything, members would be read anew each time
+    for (int x = 0; x < width; ++x) bound[x] = std::min(std::min(nearest[x], nearest[x + 1]), nearest[x + 2]);
     bound_members(region, wanted, scratch, width);
 }
 
@@ -90,14 +108,14 @@ private:
         const auto top = std::uint8_t(region_ == 2 ? k_second : 0);
         std::uint8_t* out = field_ + at;
         const std::uint8_t* region = grid_.region.data() + at;
-        if (ahead < 0)  // the second sweep keeps what the first found
-            for (int x = 0; x < width; ++x) {
-                const auto first = std::uint8_t(out[x] & k_limit);
-                scratch_.bound[std::size_t(x)] = std::min(scratch_.bound[std::size_t(x)], first);
-            }
+        if (ahead < 0) {  // the second sweep keeps what the first found
+            std::uint8_t* bound = scratch_.bound.data();
+            for (int x = 0; x < width; ++x) bound[x] = std::min(bound[x], std::uint8_t(out[x] & k_limit));
+        }
         std::uint8_t* row = slices_.now(y);
-        run_along(scratch_.bound.data(), row, width, ahead);
-        for (int x = 0; x < width; ++x) out[x] = region[x] == region_ ? std::uint8_t(row[x] | top) : out[x];
+        run_along(scratch_.bound.data(), row, width, ahead, scratch_);
+        const auto kind = std::uint8_t(region_);
+        for (int x = 0; x < width; ++x) out[x] = region[x] == kind ? std::uint8_t(row[x] | top) : out[x];
     }
 
     const RegionGrid& grid_;
@@ -111,7 +129,9 @@ bool has_region(const RegionGrid& grid, std::uint8_t region) {
     return std::find(grid.region.begin(), grid.region.end(), region) != grid.region.end();
 }
 
-/// One octant: towards the corner that `octant` names.
+}  // namespace
+
+// Towards the corner that `octant` names.
 void sweep_octant(const RegionGrid& grid, int octant, std::uint8_t* field, const JobContext& job) {
     const glm::ivec3 n = grid.size, towards(octant & 1 ? -1 : 1, octant & 2 ? -1 : 1, octant & 4 ? -1 : 1);
     std::array<RollingSlices, 2> slices{RollingSlices(n), RollingSlices(n)};
@@ -130,22 +150,21 @@ void sweep_octant(const RegionGrid& grid, int octant, std::uint8_t* field, const
                 const std::uint8_t *a = s.before(y), *b = s.before(y + towards.y), *c = s.now(y + towards.y);
                 std::uint8_t* nearest = scratch.nearest.data();
                 for (int x = 0; x < n.x + 2; ++x) nearest[x] = std::min(std::min(a[x - 1], b[x - 1]), c[x - 1]);
-                for (int x = 0; x < n.x; ++x)
-                    scratch.bound[std::size_t(x)] = std::min(nearest[x + 1], nearest[x + 1 + towards.x]);
+                std::uint8_t* bound = scratch.bound.data();
+                const std::uint8_t* beside = nearest + 1 + towards.x;
+                for (int x = 0; x < n.x; ++x) bound[x] = std::min(nearest[x + 1], beside[x]);
                 bound_members(region, kind + 1, scratch, n.x);
-                run_along(scratch.bound.data(), s.now(y), n.x, -towards.x);
+                run_along(scratch.bound.data(), s.now(y), n.x, -towards.x, scratch);
             }
             const std::uint8_t *first = slices[0].now(y), *second = slices[1].now(y);
+            std::uint8_t* out = field + at;
             if (kinds == 1)
                 std::copy_n(first, n.x, field + at);
             else
-                for (int x = 0; x < n.x; ++x)
-                    field[at + std::size_t(x)] = region[x] == 2 ? std::uint8_t(second[x] | k_second) : first[x];
+                for (int x = 0; x < n.x; ++x) out[x] = region[x] == 2 ? std::uint8_t(second[x] | k_second) : first[x];
         }
     }
 }
-
-}  // namespace
 
 VoxelBuffer chessboard_field(const RegionGrid& grid, const JobContext& job) {
     VoxelBuffer made(grid.region.size());

@@ -32,10 +32,14 @@ VoxelBuffer chessboard_field(const RegionGrid& grid, const JobContext& job = {})
 /// along axis a. Eight sweeps over 2x2x2 masks, O(n), exact; octants in parallel.
 VoxelBuffer octant_field(const RegionGrid& grid, const JobContext& job = {});
 
+/// Which kinds of region get boxes beyond their cubes.
+enum class Extend { both, first_only };
+
 /// EACD: for each octant a box that starts in the cell and lies in its region: the ACD cube, extended as far as it goes
 /// along the axis that gains most, then along the better of the other two. 16 bits a cell and octant (ordered as
 /// in ACD): x, y << 5, z << 10. From axial run lengths, whose minima over a cube's face come from tables of
-/// power-of-two windows: O(n), at most about 70 bytes a cell of at most 64 slices for as long as it takes.
-VoxelBuffer box_field(const RegionGrid& grid, const JobContext& job = {});
+/// power-of-two windows: O(n), at most about 70 bytes a cell of at most 64 slices and one a cell, a thread, for as long
+/// as it takes.
+VoxelBuffer box_field(const RegionGrid& grid, const JobContext& job = {}, Extend extend = Extend::both);
 
 }  // namespace lacuna

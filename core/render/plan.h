@@ -81,6 +81,9 @@ void add_method_reasons(Plan& plan, const Scene& scene);
 
 /// The least structure that serves the scene's mode, with its reasons.
 Plan default_plan(const Scene& scene);
+/// One sentence where the plan's structure can gain nothing in the scene's mode (projections without segmentation
+/// ranges); empty else. For plans whose structure was asked for.
+std::string gain_note(const Plan& plan, const Scene& scene);
 /// The brute-force plan every other is measured against: no structure, no early termination, linear sampling.
 Plan reference_plan(const Scene& scene, const Plan& like);
 

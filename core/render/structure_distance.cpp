@@ -35,9 +35,11 @@ RegionGrid macrocell_regions(const MacrocellGrid& grid, std::vector<std::uint8_t
     return {grid.cells, std::move(classes)};
 }
 
-VoxelBuffer make_field(Structure structure, const RegionGrid& regions, const JobContext& job) {
+VoxelBuffer make_field(Structure structure, const RegionGrid& regions, SecondKind second, const JobContext& job) {
     if (structure == Structure::pc) return chessboard_field(regions, job);
-    return structure == Structure::acd ? octant_field(regions, job) : box_field(regions, job);
+    if (structure == Structure::acd) return octant_field(regions, job);
+    // How far a ray need not ask again is worth no more than a cube.
+    return box_field(regions, job, second == SecondKind::busy ? Extend::first_only : Extend::both);
 }
 
 constexpr double k_megabyte = 1048576;
@@ -87,7 +89,8 @@ public:
             Field made;
             const RegionGrid regions =
                 voxelwise ? regions_of_voxels(context, grid, key, second) : regions_of_cells(context, grid, second);
-            made.entries = make_field(plan.structure, regions, voxelwise ? context.job.part(0.2, 1) : context.job);
+            made.entries =
+                make_field(plan.structure, regions, second, voxelwise ? context.job.part(0.2, 1) : context.job);
             made.buffer = device_buffer(context.device, made.entries.data(), made.entries.size());
             made.key = std::move(key);
             held = std::move(made);

@@ -73,6 +73,7 @@ void run(const BenchScene& bench, OpenClRenderer& renderer, int views, int round
             for (Structure structure : structures) {
                 Plan plan = default_plan(scene);
                 plan.structure = structure;
+                plan.cells = Plan{}.cells;
                 Row& row = rows[structure];
                 const RenderResult result = renderer.render(scene, plan, {}, false);
                 if (round >= 0) {
