@@ -1,16 +1,17 @@
 // The figures the published methods' authors report, measured here on the same kind of scene (docs/seeds.md): gains
-// over plain casting on the same device, frames in turn, medians over an orbit.
+// over plain casting on the same device, frames in turn, medians over an orbit. Times are processor time of all
+// threads, which other programs on the machine disturb least.
 //   bench_seeds [levoy|es|lesar|memory|rebuild] [SIZE [VIEWS]]      all of them, 256, 6
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "core/accuracy/image_error.h"
-#include "core/base/stopwatch.h"
 #include "core/compute/device.h"
 #include "core/render/engine.h"
 #include "core/volume/samples.h"
@@ -24,6 +25,8 @@ double median(std::vector<double> v) {
     return v[v.size() / 2];
 }
 
+double processor_ms() { return 1e3 * double(std::clock()) / CLOCKS_PER_SEC; }
+
 /// One way to draw a scene, and what it cost.
 struct Way {
     std::string name;
@@ -33,6 +36,8 @@ struct Way {
     BuildRecord build = {};
     Counters counters = {};
     ImageError error = {};
+
+    double steps() const { return double(counters.samples + counters.structure_reads) * 1e-6; }
 };
 
 class SeedsBench {
@@ -57,10 +62,10 @@ public:
             table(fmt::format("Levoy: {} {}^3, 512x512, step 1", sample, size_), ways);
         }
         for (const bool grows : {true, false}) {
-            fmt::print("\nGrowth with the data's width ({}): head, two surfaces (skin and bone), ms a frame\n",
+            fmt::print("\nGrowth with the data's width ({}): head, two surfaces: time, samples and look-ups\n",
                        grows ? "the picture grows with it" : "picture 512x512");
             fmt::print("| width | plain | pyramid, termination 0.05 | default |\n| --- | --- | --- | --- |\n");
-            std::vector<double> before;
+            std::vector<double> before, before_steps;
             for (int size = size_ / 2; size <= 2 * size_; size *= 2) {
                 Scene scene = scene_of("head", size);
                 scene.mode = ViewMode::ea;
@@ -73,13 +78,18 @@ public:
                 run(scene, ways);
                 std::string line = fmt::format("| {} ", size);
                 for (std::size_t i = 0; i < ways.size(); ++i) {
-                    const double now = median(ways[i].ms);
-                    line += before.empty() ? fmt::format("| {:.1f} ", now)
-                                           : fmt::format("| {:.1f} ({:.2f} times) ", now, now / before[i]);
+                    const double now = median(ways[i].ms), steps = ways[i].steps();
+                    line += before.empty() ? fmt::format("| {:.1f} ms, {:.2f} M ", now, steps)
+                                           : fmt::format("| {:.1f} ms ({:.2f} times), {:.2f} M ({:.2f}) ", now,
+                                                         now / before[i], steps, steps / before_steps[i]);
                     ways[i].ms = {now};
                 }
                 before.clear();
-                for (const Way& way : ways) before.push_back(way.ms[0]);
+                before_steps.clear();
+                for (const Way& way : ways) {
+                    before.push_back(way.ms[0]);
+                    before_steps.push_back(way.steps());
+                }
                 fmt::print("{}|\n", line);
             }
         }
@@ -102,8 +112,7 @@ public:
             table(fmt::format("Es: casting {}^3, nearest, step 1, {}", size_,
                               cells == 1 ? "a field a voxel, as published" : "macro-cells of 8^3"),
                   ways);
-            const auto steps = [](const Way& w) { return double(w.counters.samples + w.counters.structure_reads); };
-            fmt::print("Steps (samples and look-ups) eacd : acd {:.2f}\n", steps(ways[3]) / steps(ways[2]));
+            fmt::print("Steps (samples and look-ups) eacd : acd {:.2f}\n", ways[3].steps() / ways[2].steps());
         }
     }
 
@@ -190,10 +199,10 @@ private:
             Frame truth;
             for (Way& way : ways) {
                 scene.effects = way.effects;
-                const Stopwatch watch;
+                const double before_ms = processor_ms();
                 const RenderResult result = engine_.render(scene, way.plan, {}, false);
                 if (view >= 0) {
-                    way.ms.push_back(watch.ms());
+                    way.ms.push_back(processor_ms() - before_ms);
                     continue;
                 }
                 if (!result.build.empty()) way.build = result.build.begin()->second;
@@ -206,8 +215,9 @@ private:
     }
 
     static void table(const std::string& title, const std::vector<Way>& ways) {
-        fmt::print("\n{}\n| way | ms | gain | samples | look-ups | build ms | MiB | max, mean difference /255 |\n",
-                   title);
+        fmt::print(
+            "\n{}\n| way | processor ms | gain | samples | look-ups | build ms | MiB | max, mean difference /255 |\n",
+            title);
         fmt::print("| --- | --- | --- | --- | --- | --- | --- | --- |\n");
         const double plain = median(ways.front().ms);
         for (const Way& way : ways)

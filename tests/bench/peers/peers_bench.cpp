@@ -1,6 +1,6 @@
 // Lacuna against VTK 9.1 on the same scenes: the same voxels, camera, transfer function, opacity correction, step,
 // picture size and number of threads, frame by frame in turn. Both pictures are held against the reference renderer.
-//   xvfb-run -a build/bin/bench_peers --size 256 --views 12 --errors
+//   xvfb-run -a -s "-screen 0 1024x768x24 -noreset" build/bin/bench_peers --size 256 --views 12 --errors
 // Times are from the call to the pixels on the host. Medians over the orbit; ratios are of medians.
 #include <fmt/format.h>
 
