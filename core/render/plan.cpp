@@ -47,8 +47,6 @@ constexpr int k_max_refine_steps = 64;
 // Up to here cells of 4^3 are worth their eightfold number; beyond, their field leaves the caches.
 constexpr std::int64_t k_fine_cells_voxels = std::int64_t(1) << 25;
 constexpr int k_least_brick = 8, k_largest_brick = 1024;
-// Up to here cells of 4^3 are worth their eightfold number; beyond, their field leaves the caches.
-constexpr std::int64_t k_fine_cells_voxels = std::int64_t(1) << 25;
 
 /// @throws Error(bad_usage) where leaping cannot serve the scene
 void check_leap(const Plan& plan, const Scene& scene) {
