@@ -18,6 +18,7 @@ MainWindow::MainWindow(EngineFactory make_engine, QWidget* parent)
       documents_(new DocumentController(this)),
       loader_(new LoadController(this)),
       regions_(new RegionController(this)),
+      inspections_(new InspectionController(this)),
       scheduler_(new FrameScheduler(this)),
       stack_(new QStackedWidget(this)),
       welcome_(new WelcomePage(this)),
@@ -31,8 +32,10 @@ MainWindow::MainWindow(EngineFactory make_engine, QWidget* parent)
       cuts_panel_(new CutsPanel(this)),
       slices_panel_(new SlicesPanel(this)),
       regions_panel_(new RegionsPanel(this)),
+      inspection_panel_(new InspectionPanel(this)),
       side_(new QWidget(this)),
-      engine_job_(this) {
+      engine_job_(this),
+      report_job_(this) {
     setWindowTitle(tr("Lacuna"));
     setAcceptDrops(true);
     resize(1480, 940);
@@ -44,6 +47,7 @@ MainWindow::MainWindow(EngineFactory make_engine, QWidget* parent)
     connectViews();
     connectPanels();
     connectRegions();
+    connectInspection();
     connectRendering();
     startEngine(std::move(make_engine));
 }
@@ -84,11 +88,19 @@ void MainWindow::buildDocks() {
     table->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
     table->setWidget(regions_panel_);
     addDockWidget(Qt::BottomDockWidgetArea, table);
+    inspection_dock_ = new QDockWidget(tr("Inspection"), this);
+    inspection_dock_->setObjectName(QStringLiteral("inspection"));
+    inspection_dock_->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+    inspection_dock_->setWidget(inspection_panel_);
+    addDockWidget(Qt::BottomDockWidgetArea, inspection_dock_);
+    tabifyDockWidget(table, inspection_dock_);
+    table->raise();
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({scene}, {370}, Qt::Horizontal);
     resizeDocks({table}, {190}, Qt::Vertical);
     side_->setEnabled(false);
     regions_panel_->setEnabled(false);
+    inspection_panel_->setEnabled(false);
 }
 
 void MainWindow::startEngine(EngineFactory make_engine) {
@@ -102,6 +114,7 @@ void MainWindow::startEngine(EngineFactory make_engine) {
             engine = std::get<0>(outcome);
         }
         status_->showDevice(QString::fromStdString(engine->device_name()));
+        engine_ = engine;
         scheduler_->setEngine(std::move(engine));
     });
 }
@@ -252,6 +265,7 @@ void MainWindow::showDocument() {
     const QString name = QString::fromStdString(document.volume.name.empty() ? document.input : document.volume.name);
     setWindowTitle(tr("%1 — Lacuna").arg(name));
     regions_->cancel();
+    inspections_->cancel();
     for (SliceView* slice : views_->slices()) {
         slice->setVolume(document.volume);
         slice->setCursor3d(document.cursor_mm);
@@ -265,8 +279,10 @@ void MainWindow::showDocument() {
     cuts_panel_->setGeometry3d(document.volume.geometry());
     slices_panel_->setVolume(document.volume, document.statistics);
     regions_panel_->setVolume(document.volume, document.statistics);
+    inspection_panel_->setVolume(document.volume, *document.statistics);
     side_->setEnabled(true);
     regions_panel_->setEnabled(true);
+    inspection_panel_->setEnabled(true);
     for (QAction* action : needs_document_) action->setEnabled(true);
     stack_->setCurrentWidget(views_);
     showSettings();
@@ -313,7 +329,15 @@ void MainWindow::showSettings() {
 void MainWindow::showSelection() {
     const Document& document = documents_->document();
     SliceOverlay overlay;
+    if (document.defects && document.inspection) {
+        overlay.labels = std::shared_ptr<const LabelVolume>(document.inspection, &document.inspection->labels);
+        overlay.id = document.selected_defect;
+        auto tints = std::make_shared<std::vector<QRgb>>(1, 0);
+        for (const QColor& color : inspection_panel_->model()->colors()) tints->push_back(color.rgb());
+        overlay.tints = std::move(tints);
+    }
     if (document.regions && document.selected_region != 0) {
+        overlay = {};
         overlay.labels = std::shared_ptr<const LabelVolume>(document.regions, &document.regions->labels);
         overlay.id = document.selected_region;
     }
@@ -371,6 +395,10 @@ void MainWindow::updateProgress() {
         status_->showProgress(tr("Opening"), load_share_);
     else if (regions_share_ >= 0)
         status_->showProgress(tr("Finding regions"), regions_share_);
+    else if (inspection_share_ >= 0)
+        status_->showProgress(tr("Inspecting"), inspection_share_);
+    else if (report_share_ >= 0)
+        status_->showProgress(tr("Writing the report"), report_share_);
     else if (frame_share_ >= 0)
         status_->showProgress(tr("Rendering"), frame_share_);
     else
@@ -382,7 +410,13 @@ void MainWindow::cancelShown() {
         loader_->cancel();
     else if (regions_share_ >= 0)
         regions_->cancel();
-    else
+    else if (inspection_share_ >= 0)
+        inspections_->cancel();
+    else if (report_share_ >= 0) {
+        report_job_.cancel();
+        report_share_ = -1;
+        updateProgress();
+    } else
         scheduler_->cancel();
 }
 
@@ -398,6 +432,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
     loader_->cancel();
     regions_->cancel();
+    inspections_->cancel();
+    report_job_.cancel();
     scheduler_->cancel();
     event->accept();
 }
