@@ -31,6 +31,7 @@ MainWindow::MainWindow(EngineFactory make_engine, QWidget* parent)
       ranges_panel_(new RangesPanel(this)),
       cuts_panel_(new CutsPanel(this)),
       slices_panel_(new SlicesPanel(this)),
+      effects_panel_(new EffectsPanel(this)),
       regions_panel_(new RegionsPanel(this)),
       inspection_panel_(new InspectionPanel(this)),
       side_(new QWidget(this)),
@@ -77,6 +78,7 @@ void MainWindow::buildDocks() {
     tabs_->addTab(ranges_panel_, tr("Ranges"));
     tabs_->addTab(cuts_panel_, tr("Cuts"));
     tabs_->addTab(slices_panel_, tr("Grey levels"));
+    tabs_->addTab(effects_panel_, tr("Effects"));
     auto* scene = new QDockWidget(tr("Scene"), this);
     scene->setObjectName(QStringLiteral("scene"));
     scene->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
@@ -199,6 +201,10 @@ void MainWindow::connectPanels() {
     connect(cuts_panel_, &CutsPanel::edited, this, [change](const QString& name, const std::vector<CutSetting>& cuts) {
         change(name, [&](ViewSettings& settings) { settings.cuts = cuts; });
     });
+    connect(effects_panel_, &EffectsPanel::edited, this,
+            [change](const QString& name, const std::vector<Effect>& effects) {
+                change(name, [&](ViewSettings& settings) { settings.effects = effects; });
+            });
     connect(transfer_panel_, &TransferPanel::failed, messages_, &MessageBar::showError);
     connect(ranges_panel_, &RangesPanel::failed, messages_, &MessageBar::showError);
 }
@@ -308,6 +314,7 @@ void MainWindow::showSettings() {
     ranges_panel_->setRanges(settings.ranges);
     cuts_panel_->setCuts(settings.cuts);
     slices_panel_->setSettings(settings);
+    effects_panel_->setEffects(settings.effects, settings.mode);
     regions_panel_->setSettings(settings);
     std::vector<CuttingPlane> cuts;
     for (const CutSetting& cut : settings.cuts)

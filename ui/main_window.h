@@ -13,6 +13,7 @@
 #include "ui/inspection_controller.h"
 #include "ui/load_controller.h"
 #include "ui/panels/cuts_panel.h"
+#include "ui/panels/effects_panel.h"
 #include "ui/panels/inspection_panel.h"
 #include "ui/panels/ranges_panel.h"
 #include "ui/panels/regions_panel.h"
@@ -50,6 +51,7 @@ public:
     RangesPanel* rangesPanel() const { return ranges_panel_; }
     CutsPanel* cutsPanel() const { return cuts_panel_; }
     SlicesPanel* slicesPanel() const { return slices_panel_; }
+    EffectsPanel* effectsPanel() const { return effects_panel_; }
     RegionsPanel* regionsPanel() const { return regions_panel_; }
     InspectionPanel* inspectionPanel() const { return inspection_panel_; }
     StatusLine* statusLine() const { return status_; }
@@ -121,6 +123,7 @@ private:
     RangesPanel* ranges_panel_;
     CutsPanel* cuts_panel_;
     SlicesPanel* slices_panel_;
+    EffectsPanel* effects_panel_;
     RegionsPanel* regions_panel_;
     InspectionPanel* inspection_panel_;
     QDockWidget* inspection_dock_ = nullptr;

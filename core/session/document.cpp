@@ -144,6 +144,8 @@ Scene scene_of(const Document& document) {
         if (range.enabled) scene.classification.ranges.push_back(range.range);
     for (const CutSetting& cut : settings.cuts)
         if (cut.enabled) scene.cuts.push_back(cut.plane);
+    for (const Effect& effect : settings.effects)
+        if (serves(effect.kind, settings.mode)) scene.effects.push_back(effect);
     scene.camera = document.camera;
     if (scene.mode == ViewMode::shear_warp) scene.camera.fov_deg.reset();
     if (document.defects) append_far_to_near(*document.defects, document, scene.highlights);

@@ -49,6 +49,8 @@ struct ViewSettings {
     bool color_by_tf = false;          ///< projections in the transfer function's colours
     glm::dvec3 surface_color{0.92, 0.88, 0.80};
     Quality quality;
+    std::vector<Effect>
+        effects;  ///< on the 3D picture, in this order; those the mode has no use for are left out of it
     friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
 };
 
