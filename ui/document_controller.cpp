@@ -67,6 +67,27 @@ void DocumentController::setRegions(std::shared_ptr<const RegionTable> regions) 
     Q_EMIT selectionChanged();
 }
 
+void DocumentController::setInspection(std::shared_ptr<const PartAnalysis> analysis) {
+    if (!document_) return;
+    document_->inspection = std::move(analysis);
+    document_->selected_defect = 0;
+    document_->defects.reset();
+    Q_EMIT inspectionChanged();
+    Q_EMIT selectionChanged();
+}
+
+void DocumentController::showDefects(std::shared_ptr<const std::vector<Highlight>> defects) {
+    if (!document_) return;
+    document_->defects = std::move(defects);
+    Q_EMIT selectionChanged();
+}
+
+void DocumentController::selectDefect(std::uint32_t id) {
+    if (!document_ || document_->selected_defect == id) return;
+    document_->selected_defect = id;
+    Q_EMIT selectionChanged();
+}
+
 void DocumentController::selectRegion(std::uint32_t id, std::shared_ptr<const Highlight> highlight) {
     if (!document_) return;
     document_->selected_region = id;

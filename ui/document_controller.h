@@ -30,6 +30,10 @@ public Q_SLOTS:
     void setCamera(const lacuna::Camera& camera);
     void setCursor(const glm::dvec3& mm);
     void setRegions(std::shared_ptr<const lacuna::RegionTable> regions);
+    /// Forgets the defects shown until their voxels are gathered.
+    void setInspection(std::shared_ptr<const lacuna::PartAnalysis> analysis);
+    void showDefects(std::shared_ptr<const std::vector<lacuna::Highlight>> defects);
+    void selectDefect(std::uint32_t id);
     /// @param highlight  the region's voxels; null while they are being gathered, or for none
     void selectRegion(std::uint32_t id, std::shared_ptr<const lacuna::Highlight> highlight);
 
@@ -39,6 +43,7 @@ Q_SIGNALS:
     void cameraChanged();
     void cursorChanged();
     void regionsChanged();
+    void inspectionChanged();
     void selectionChanged();
     void historyChanged();
 

@@ -14,6 +14,11 @@ QString describe(const Scene& scene, const Plan& plan) {
         .arg(plan.step, 0, 'g', 3);
 }
 
+/// Effects that take longer than a coarse frame may.
+bool costly(const Effect& effect) {
+    return effect.kind == EffectKind::ao || effect.kind == EffectKind::ssao || effect.kind == EffectKind::dof;
+}
+
 }  // namespace
 
 QImage to_image(const Frame& frame) {
@@ -92,9 +97,12 @@ void FrameScheduler::start(bool coarse) {
     // Shear-warp paints whole voxels while the view moves; the still picture is another one.
     const bool draft = coarse && scene.mode == ViewMode::shear_warp && plan.sampler != Sampler::nearest;
     if (draft) plan.sampler = Sampler::nearest;
-    const bool complete = divisor == 1 && !draft;  // fast enough to need no coarse frame before it
+    const bool costs = std::any_of(scene.effects.begin(), scene.effects.end(), costly);
+    // Fast enough to need no coarse frame before it.
+    const bool complete = divisor == 1 && !draft && !(coarse && costs);
     scene.size = {std::max(1, size_.width() / divisor), std::max(1, size_.height() / divisor)};
     if (!complete && scene.mode != ViewMode::shear_warp) plan.step = std::max(plan.step, std::min(1.0, 2 * plan.step));
+    if (coarse) std::erase_if(scene.effects, costly);
     coarse_running_ = coarse;
     changed_since_start_ = false;
     since_start_.start();
@@ -116,7 +124,10 @@ void FrameScheduler::finish(bool coarse, bool complete, Outcome<RenderResult> ou
         return;
     }
     const RenderResult& result = std::get<RenderResult>(outcome);
-    if (coarse || scene_->mode != ViewMode::shear_warp) adapt(result);
+    // What a still picture's sampler or effects took says nothing of the coarse frames, which go without.
+    const bool alike =
+        scene_->mode != ViewMode::shear_warp && std::none_of(scene_->effects.begin(), scene_->effects.end(), costly);
+    if (coarse || alike) adapt(result);
     FrameFacts facts;
     facts.coarse = !complete;
     facts.ms = result.frame.ms;

@@ -18,6 +18,7 @@ MainWindow::MainWindow(EngineFactory make_engine, QWidget* parent)
       documents_(new DocumentController(this)),
       loader_(new LoadController(this)),
       regions_(new RegionController(this)),
+      inspections_(new InspectionController(this)),
       scheduler_(new FrameScheduler(this)),
       stack_(new QStackedWidget(this)),
       welcome_(new WelcomePage(this)),
@@ -30,9 +31,12 @@ MainWindow::MainWindow(EngineFactory make_engine, QWidget* parent)
       ranges_panel_(new RangesPanel(this)),
       cuts_panel_(new CutsPanel(this)),
       slices_panel_(new SlicesPanel(this)),
+      effects_panel_(new EffectsPanel(this)),
       regions_panel_(new RegionsPanel(this)),
+      inspection_panel_(new InspectionPanel(this)),
       side_(new QWidget(this)),
-      engine_job_(this) {
+      engine_job_(this),
+      report_job_(this) {
     setWindowTitle(tr("Lacuna"));
     setAcceptDrops(true);
     resize(1480, 940);
@@ -44,6 +48,7 @@ MainWindow::MainWindow(EngineFactory make_engine, QWidget* parent)
     connectViews();
     connectPanels();
     connectRegions();
+    connectInspection();
     connectRendering();
     startEngine(std::move(make_engine));
 }
@@ -73,6 +78,7 @@ void MainWindow::buildDocks() {
     tabs_->addTab(ranges_panel_, tr("Ranges"));
     tabs_->addTab(cuts_panel_, tr("Cuts"));
     tabs_->addTab(slices_panel_, tr("Grey levels"));
+    tabs_->addTab(effects_panel_, tr("Effects"));
     auto* scene = new QDockWidget(tr("Scene"), this);
     scene->setObjectName(QStringLiteral("scene"));
     scene->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
@@ -84,11 +90,19 @@ void MainWindow::buildDocks() {
     table->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
     table->setWidget(regions_panel_);
     addDockWidget(Qt::BottomDockWidgetArea, table);
+    inspection_dock_ = new QDockWidget(tr("Inspection"), this);
+    inspection_dock_->setObjectName(QStringLiteral("inspection"));
+    inspection_dock_->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+    inspection_dock_->setWidget(inspection_panel_);
+    addDockWidget(Qt::BottomDockWidgetArea, inspection_dock_);
+    tabifyDockWidget(table, inspection_dock_);
+    table->raise();
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({scene}, {370}, Qt::Horizontal);
     resizeDocks({table}, {190}, Qt::Vertical);
     side_->setEnabled(false);
     regions_panel_->setEnabled(false);
+    inspection_panel_->setEnabled(false);
 }
 
 void MainWindow::startEngine(EngineFactory make_engine) {
@@ -102,6 +116,7 @@ void MainWindow::startEngine(EngineFactory make_engine) {
             engine = std::get<0>(outcome);
         }
         status_->showDevice(QString::fromStdString(engine->device_name()));
+        engine_ = engine;
         scheduler_->setEngine(std::move(engine));
     });
 }
@@ -186,6 +201,10 @@ void MainWindow::connectPanels() {
     connect(cuts_panel_, &CutsPanel::edited, this, [change](const QString& name, const std::vector<CutSetting>& cuts) {
         change(name, [&](ViewSettings& settings) { settings.cuts = cuts; });
     });
+    connect(effects_panel_, &EffectsPanel::edited, this,
+            [change](const QString& name, const std::vector<Effect>& effects) {
+                change(name, [&](ViewSettings& settings) { settings.effects = effects; });
+            });
     connect(transfer_panel_, &TransferPanel::failed, messages_, &MessageBar::showError);
     connect(ranges_panel_, &RangesPanel::failed, messages_, &MessageBar::showError);
 }
@@ -252,6 +271,7 @@ void MainWindow::showDocument() {
     const QString name = QString::fromStdString(document.volume.name.empty() ? document.input : document.volume.name);
     setWindowTitle(tr("%1 — Lacuna").arg(name));
     regions_->cancel();
+    inspections_->cancel();
     for (SliceView* slice : views_->slices()) {
         slice->setVolume(document.volume);
         slice->setCursor3d(document.cursor_mm);
@@ -265,8 +285,10 @@ void MainWindow::showDocument() {
     cuts_panel_->setGeometry3d(document.volume.geometry());
     slices_panel_->setVolume(document.volume, document.statistics);
     regions_panel_->setVolume(document.volume, document.statistics);
+    inspection_panel_->setVolume(document.volume, *document.statistics);
     side_->setEnabled(true);
     regions_panel_->setEnabled(true);
+    inspection_panel_->setEnabled(true);
     for (QAction* action : needs_document_) action->setEnabled(true);
     stack_->setCurrentWidget(views_);
     showSettings();
@@ -292,6 +314,7 @@ void MainWindow::showSettings() {
     ranges_panel_->setRanges(settings.ranges);
     cuts_panel_->setCuts(settings.cuts);
     slices_panel_->setSettings(settings);
+    effects_panel_->setEffects(settings.effects, settings.mode);
     regions_panel_->setSettings(settings);
     std::vector<CuttingPlane> cuts;
     for (const CutSetting& cut : settings.cuts)
@@ -313,7 +336,15 @@ void MainWindow::showSettings() {
 void MainWindow::showSelection() {
     const Document& document = documents_->document();
     SliceOverlay overlay;
+    if (document.defects && document.inspection) {
+        overlay.labels = std::shared_ptr<const LabelVolume>(document.inspection, &document.inspection->labels);
+        overlay.id = document.selected_defect;
+        auto tints = std::make_shared<std::vector<QRgb>>(1, 0);
+        for (const QColor& color : inspection_panel_->model()->colors()) tints->push_back(color.rgb());
+        overlay.tints = std::move(tints);
+    }
     if (document.regions && document.selected_region != 0) {
+        overlay = {};
         overlay.labels = std::shared_ptr<const LabelVolume>(document.regions, &document.regions->labels);
         overlay.id = document.selected_region;
     }
@@ -371,6 +402,10 @@ void MainWindow::updateProgress() {
         status_->showProgress(tr("Opening"), load_share_);
     else if (regions_share_ >= 0)
         status_->showProgress(tr("Finding regions"), regions_share_);
+    else if (inspection_share_ >= 0)
+        status_->showProgress(tr("Inspecting"), inspection_share_);
+    else if (report_share_ >= 0)
+        status_->showProgress(tr("Writing the report"), report_share_);
     else if (frame_share_ >= 0)
         status_->showProgress(tr("Rendering"), frame_share_);
     else
@@ -382,7 +417,13 @@ void MainWindow::cancelShown() {
         loader_->cancel();
     else if (regions_share_ >= 0)
         regions_->cancel();
-    else
+    else if (inspection_share_ >= 0)
+        inspections_->cancel();
+    else if (report_share_ >= 0) {
+        report_job_.cancel();
+        report_share_ = -1;
+        updateProgress();
+    } else
         scheduler_->cancel();
 }
 
@@ -398,6 +439,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
     loader_->cancel();
     regions_->cancel();
+    inspections_->cancel();
+    report_job_.cancel();
     scheduler_->cancel();
     event->accept();
 }

@@ -10,8 +10,11 @@
 #include "ui/document_controller.h"
 #include "ui/four_up.h"
 #include "ui/frame_scheduler.h"
+#include "ui/inspection_controller.h"
 #include "ui/load_controller.h"
 #include "ui/panels/cuts_panel.h"
+#include "ui/panels/effects_panel.h"
+#include "ui/panels/inspection_panel.h"
 #include "ui/panels/ranges_panel.h"
 #include "ui/panels/regions_panel.h"
 #include "ui/panels/render_panel.h"
@@ -23,6 +26,7 @@
 #include "ui/widgets/message_bar.h"
 
 class QActionGroup;
+class QDockWidget;
 
 namespace lacuna::ui {
 
@@ -39,6 +43,7 @@ public:
     DocumentController* documents() const { return documents_; }
     LoadController* loader() const { return loader_; }
     RegionController* regions() const { return regions_; }
+    InspectionController* inspections() const { return inspections_; }
     FrameScheduler* scheduler() const { return scheduler_; }
     FourUp* views() const { return views_; }
     RenderPanel* renderPanel() const { return render_panel_; }
@@ -46,7 +51,9 @@ public:
     RangesPanel* rangesPanel() const { return ranges_panel_; }
     CutsPanel* cutsPanel() const { return cuts_panel_; }
     SlicesPanel* slicesPanel() const { return slices_panel_; }
+    EffectsPanel* effectsPanel() const { return effects_panel_; }
     RegionsPanel* regionsPanel() const { return regions_panel_; }
+    InspectionPanel* inspectionPanel() const { return inspection_panel_; }
     StatusLine* statusLine() const { return status_; }
     MessageBar* messageBar() const { return messages_; }
     QTabWidget* tabs() const { return tabs_; }
@@ -58,6 +65,9 @@ public Q_SLOTS:
     void openFile();
     void savePicture();
     void exportRegions();
+    void loadCriteria();
+    void saveCriteria();
+    void exportReport();
     void showAbout();
     void showControls();
 
@@ -80,6 +90,7 @@ private:
     void connectViews();
     void connectPanels();
     void connectRegions();
+    void connectInspection();
     void connectRendering();
     void focusTab(int tab, QWidget* widget);
 
@@ -92,10 +103,14 @@ private:
     void updateProgress();
     void cancelShown();
     void chooseRegion(std::uint32_t id);
+    void chooseDefect(std::uint32_t id);
+    void colorDefects();
+    void writeReport(const QString& folder);
 
     DocumentController* documents_;
     LoadController* loader_;
     RegionController* regions_;
+    InspectionController* inspections_;
     FrameScheduler* scheduler_;
     QStackedWidget* stack_;
     WelcomePage* welcome_;
@@ -108,13 +123,18 @@ private:
     RangesPanel* ranges_panel_;
     CutsPanel* cuts_panel_;
     SlicesPanel* slices_panel_;
+    EffectsPanel* effects_panel_;
     RegionsPanel* regions_panel_;
+    InspectionPanel* inspection_panel_;
+    QDockWidget* inspection_dock_ = nullptr;
     QWidget* side_;
     QActionGroup* modes_ = nullptr;
     QList<QAction*> needs_document_;
     QTimer slow_frame_;  ///< a frame is only worth a progress bar when it takes its time
-    double load_share_ = -1, regions_share_ = -1, frame_share_ = -1;
+    double load_share_ = -1, regions_share_ = -1, inspection_share_ = -1, report_share_ = -1, frame_share_ = -1;
+    std::shared_ptr<Engine> engine_;
     LatestJob<std::shared_ptr<Engine>> engine_job_;
+    LatestJob<QString> report_job_;
 };
 
 }  // namespace lacuna::ui

@@ -40,6 +40,9 @@ std::vector<Effect> parse_effects(std::string_view list);
 /// The same list as text: parse_effects(to_text(e)) == e.
 std::string to_text(const std::vector<Effect>& effects);
 
+/// Whether an effect can do anything in a mode: ao needs one that shows a surface.
+bool serves(EffectKind kind, ViewMode mode);
+
 /// @throws Error(bad_usage) for a wrong count of values, a value out of range, or ao in a mode that shows no surface
 void check(const std::vector<Effect>& effects, ViewMode mode);
 

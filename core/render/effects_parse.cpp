@@ -139,11 +139,14 @@ std::string to_text(const std::vector<Effect>& effects) {
     return text;
 }
 
+bool serves(EffectKind kind, ViewMode mode) {
+    return kind != EffectKind::ao || mode == ViewMode::iso || mode == ViewMode::shear_warp || mode == ViewMode::ea;
+}
+
 void check(const std::vector<Effect>& effects, ViewMode mode) {
-    const bool surface = mode == ViewMode::iso || mode == ViewMode::shear_warp || mode == ViewMode::ea;
     for (const Effect& effect : effects) {
         check(effect);
-        if (effect.kind == EffectKind::ao && !surface)
+        if (!serves(effect.kind, mode))
             refuse(
                 fmt::format("Effect ao needs a surface, which mode {} does not show; modes iso, shear-warp and ea do.",
                             name_of(mode)));

@@ -91,23 +91,29 @@ void draw_highlight(const Scene& scene, const Highlight& highlight, Frame& frame
     const ViewRays rays = resolve(scene.camera, grid, scene.size);
     const PixelBox box = project_box(rays, grid, highlight);
     const Mask mask{highlight};
-    parallel_for(
-        std::max(0, box.first.y), box.last.y + 1,
-        [&](std::int64_t y) {
-            for (int x = std::max(0, box.first.x); x <= box.last.x; ++x) {
-                const glm::dvec3 along = rays.direction(x, double(y));
-                const glm::ivec3 voxel =
-                    first_hit(mask, grid.mm_to_voxel(rays.origin(x, double(y))), grid.vector_to_voxel(along), 0);
-                if (voxel.x < 0) continue;
-                const glm::dvec3 normal = mask.outward(voxel) / grid.spacing;
-                const double length = glm::length(normal);
-                const double facing =
-                    length > 0 ? std::abs(glm::dot(normal, glm::transpose(grid.direction) * along)) / length : 1.0;
-                const glm::vec3 color = glm::vec3(highlight.color * (0.35 + 0.65 * facing));
-                glm::vec4& pixel = frame.color[std::size_t(y) * std::size_t(frame.size.x) + std::size_t(x)];
-                const float over = float(highlight.opacity);
-                pixel = glm::vec4(glm::vec3(pixel) * (1 - over) + color * over, pixel.a * (1 - over) + over);
-            }
+    const auto draw_row = [&](std::int64_t y) {
+        for (int x = std::max(0, box.first.x); x <= box.last.x; ++x) {
+            const glm::dvec3 along = rays.direction(x, double(y));
+            const glm::ivec3 voxel =
+                first_hit(mask, grid.mm_to_voxel(rays.origin(x, double(y))), grid.vector_to_voxel(along), 0);
+            if (voxel.x < 0) continue;
+            const glm::dvec3 normal = mask.outward(voxel) / grid.spacing;
+            const double length = glm::length(normal);
+            const double facing =
+                length > 0 ? std::abs(glm::dot(normal, glm::transpose(grid.direction) * along)) / length : 1.0;
+            const glm::vec3 color = glm::vec3(highlight.color * (0.35 + 0.65 * facing));
+            glm::vec4& pixel = frame.color[std::size_t(y) * std::size_t(frame.size.x) + std::size_t(x)];
+            const float over = float(highlight.opacity);
+            pixel = glm::vec4(glm::vec3(pixel) * (1 - over) + color * over, pixel.a * (1 - over) + over);
+        }
+    };
+    const int first_row = std::max(0, box.first.y), rows = box.last.y + 1 - first_row;
+    // Thousands of small highlights must not start threads each.
+    const int bands = std::int64_t(rows) * (box.last.x - box.first.x) < 4096 ? 1 : rows;
+    parallel_bands(
+        first_row, box.last.y + 1, bands,
+        [&](std::int64_t first, std::int64_t end) {
+            for (std::int64_t y = first; y < end; ++y) draw_row(y);
         },
         JobContext{job.stop, nullptr});
 }

@@ -107,6 +107,27 @@ Document make_document(std::string input, Volume volume, const JobContext& job) 
     return document;
 }
 
+namespace {
+
+/// Highlights are blended one after the other: the nearest has to come last. The chosen defect stands out.
+void append_far_to_near(const std::vector<Highlight>& highlights, const Document& document,
+                        std::vector<Highlight>& out) {
+    const GridGeometry& geometry = document.volume.geometry();
+    const ViewRays rays = resolve(document.camera, geometry, {2, 2});
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < highlights.size(); ++i) {
+        const glm::dvec3 middle = glm::dvec3(highlights[i].first) + 0.5 * glm::dvec3(highlights[i].size - 1);
+        order.emplace_back(-glm::dot(geometry.voxel_to_mm(middle), rays.forward), i);
+    }
+    std::sort(order.begin(), order.end());
+    for (const auto& [depth, i] : order) {
+        out.push_back(highlights[i]);
+        if (document.selected_defect != 0) out.back().opacity = i + 1 == document.selected_defect ? 0.95 : 0.35;
+    }
+}
+
+}  // namespace
+
 Scene scene_of(const Document& document) {
     const ViewSettings& settings = document.settings;
     Scene scene;
@@ -123,8 +144,11 @@ Scene scene_of(const Document& document) {
         if (range.enabled) scene.classification.ranges.push_back(range.range);
     for (const CutSetting& cut : settings.cuts)
         if (cut.enabled) scene.cuts.push_back(cut.plane);
+    for (const Effect& effect : settings.effects)
+        if (serves(effect.kind, settings.mode)) scene.effects.push_back(effect);
     scene.camera = document.camera;
     if (scene.mode == ViewMode::shear_warp) scene.camera.fov_deg.reset();
+    if (document.defects) append_far_to_near(*document.defects, document, scene.highlights);
     if (document.highlight) scene.highlights.push_back(*document.highlight);
     return scene;
 }
@@ -147,6 +171,26 @@ Highlight highlight_of(const RegionTable& table, const RegionCharacteristics& re
     highlight.size = region.bbox_last - region.bbox_first + 1;
     highlight.inside = std::make_shared<const std::vector<std::uint8_t>>(region_mask(table.labels, region));
     return highlight;
+}
+
+std::vector<Highlight> defect_highlights(const PartAnalysis& analysis, const std::vector<glm::dvec3>& colors,
+                                         const JobContext& job) {
+    // Ids go by descending volume: the first rows are the largest.
+    const std::size_t count = std::min({analysis.defects.size(), colors.size(), k_most_highlights});
+    std::vector<Highlight> highlights(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Defect& defect = analysis.defects[i];
+        RegionCharacteristics box;
+        box.id = defect.id;
+        box.bbox_first = defect.bbox_first;
+        box.bbox_last = defect.bbox_last;
+        highlights[i].first = defect.bbox_first;
+        highlights[i].size = defect.bbox_last - defect.bbox_first + 1;
+        highlights[i].inside = std::make_shared<const std::vector<std::uint8_t>>(region_mask(analysis.labels, box));
+        highlights[i].color = colors[i];
+        job.checkpoint(i, count);
+    }
+    return highlights;
 }
 
 glm::ivec3 nearest_voxel(const GridGeometry& geometry, const glm::dvec3& mm) {

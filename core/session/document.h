@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/inspect/part_analysis.h"
 #include "core/regions/regions.h"
 #include "core/render/plan.h"
 #include "core/render/scene.h"
@@ -48,6 +49,8 @@ struct ViewSettings {
     bool color_by_tf = false;          ///< projections in the transfer function's colours
     glm::dvec3 surface_color{0.92, 0.88, 0.80};
     Quality quality;
+    std::vector<Effect>
+        effects;  ///< on the 3D picture, in this order; those the mode has no use for are left out of it
     friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
 };
 
@@ -59,11 +62,14 @@ struct Document {
     std::shared_ptr<const VolumeStatistics> statistics;
     ViewSettings settings;
     Camera camera;
-    Camera home;                                 ///< where the camera starts and comes back to
-    glm::dvec3 cursor_mm{0};                     ///< the linked cross-hair
-    std::shared_ptr<const RegionTable> regions;  ///< null until computed
-    std::uint32_t selected_region = 0;           ///< an id of `regions`; 0: none
-    std::shared_ptr<const Highlight> highlight;  ///< the selected region's voxels; null: none
+    Camera home;                                            ///< where the camera starts and comes back to
+    glm::dvec3 cursor_mm{0};                                ///< the linked cross-hair
+    std::shared_ptr<const RegionTable> regions;             ///< null until computed
+    std::uint32_t selected_region = 0;                      ///< an id of `regions`; 0: none
+    std::shared_ptr<const Highlight> highlight;             ///< the selected region's voxels; null: none
+    std::shared_ptr<const PartAnalysis> inspection;         ///< null until inspected
+    std::uint32_t selected_defect = 0;                      ///< an id of `inspection`; 0: none
+    std::shared_ptr<const std::vector<Highlight>> defects;  ///< as drawn in 3D; null: none are shown
 };
 
 /// A named pair of grey levels for slices, as centre and width.
@@ -95,6 +101,13 @@ Plan plan_of(const Document& document, const Scene& scene);
 
 /// The voxels of one region as a highlight. Cost: one pass over its bounding box.
 Highlight highlight_of(const RegionTable& table, const RegionCharacteristics& region);
+
+/// The voxels of each defect as a highlight in the colour given for it, by row; the k_most_highlights largest alone,
+/// because every one of them is followed by rays in every frame. Cost: one pass over their boxes.
+/// @throws Error(cancelled)
+std::vector<Highlight> defect_highlights(const PartAnalysis& analysis, const std::vector<glm::dvec3>& colors,
+                                         const JobContext& job = {});
+inline constexpr std::size_t k_most_highlights = 2000;
 
 /// The voxel nearest to a position, clamped into the grid.
 glm::ivec3 nearest_voxel(const GridGeometry& geometry, const glm::dvec3& mm);

@@ -33,17 +33,25 @@ void draw_grey(const T* voxels, const Walk& walk, ValueRange window, QImage& ima
     }
 }
 
+QRgb blend(QRgb under, QRgb tint) {
+    const int grey = qRed(under);
+    return qRgb((grey + 2 * qRed(tint)) / 3, (grey + 2 * qGreen(tint)) / 3, (grey + 2 * qBlue(tint)) / 3);
+}
+
 void draw_overlay(const SliceOverlay& overlay, const Walk& walk, QImage& image) {
     const std::uint32_t* labels = overlay.labels->labels->data();
+    const QRgb chosen = overlay.color.rgb();
+    const std::size_t tinted = overlay.tints ? overlay.tints->size() : 0;
     for (int y = 0; y < image.height(); ++y) {
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
         const std::uint32_t* label = labels + walk.first + y * walk.down;
-        for (int x = 0; x < image.width(); ++x, label += walk.across)
-            if (*label == overlay.id) {
-                const int grey = qRed(line[x]);
-                line[x] = qRgb((grey + 2 * overlay.color.red()) / 3, (grey + 2 * overlay.color.green()) / 3,
-                               (grey + 2 * overlay.color.blue()) / 3);
-            }
+        for (int x = 0; x < image.width(); ++x, label += walk.across) {
+            if (*label == 0) continue;
+            if (*label == overlay.id)
+                line[x] = blend(line[x], chosen);
+            else if (*label < tinted && qAlpha((*overlay.tints)[*label]) != 0)
+                line[x] = blend(line[x], (*overlay.tints)[*label]);
+        }
     }
 }
 
@@ -55,7 +63,7 @@ QImage slice_image(const Volume& volume, const SlicePlane& plane, int index, Val
     QImage image(geometry.size[plane.u], geometry.size[plane.v], QImage::Format_RGB32);
     const Walk walk(geometry, plane, index);
     visit_type(volume.type(), [&](auto tag) { draw_grey(volume.view<decltype(tag)>().data, walk, window, image); });
-    if (overlay.labels && overlay.id != 0 && overlay.labels->geometry.size == geometry.size)
+    if (overlay.labels && (overlay.id != 0 || overlay.tints) && overlay.labels->geometry.size == geometry.size)
         draw_overlay(overlay, walk, image);
     return image;
 }

@@ -1,0 +1,131 @@
+// The inspection panel and the effects panel in the whole window.
+#include <QLabel>
+
+#include "tests/gui/window_fixture.h"
+
+namespace lacuna::ui::test {
+
+namespace {
+
+class InspectionTest : public WindowTest {
+protected:
+    void inspect() {
+        QSignalSpy finished(window->inspections(), &InspectionController::finished);
+        QSignalSpy gathered(window->inspections(), &InspectionController::gathered);
+        QTest::mouseClick(panel()->inspectButton(), Qt::LeftButton);
+        ASSERT_TRUE(finished.count() > 0 || finished.wait(k_patience_ms));
+        ASSERT_TRUE(document().inspection != nullptr) << window->messageBar()->text().toStdString();
+        ASSERT_TRUE(gathered.count() > 0 || gathered.wait(k_patience_ms));
+    }
+    InspectionPanel* panel() const { return window->inspectionPanel(); }
+    int rows() const { return panel()->table()->model()->rowCount(); }
+};
+
+TEST_F(InspectionTest, InspectingFillsTheTableAndColoursTheDefects) {
+    open(k_casting);
+    settle();
+    const QImage before = picture();
+    const QImage slice = window->views()->slice(SliceKind::axial)->grab().toImage();
+    EXPECT_EQ(panel()->verdictText(), QStringLiteral("Not inspected"));
+    inspect();
+    EXPECT_EQ(rows(), int(document().inspection->defects.size()));
+    ASSERT_GT(rows(), 0);
+    settle();
+    EXPECT_GT(difference(picture(), before), 0.002);
+    panel()->table()->selectRow(0);
+    const std::uint32_t id = document().selected_defect;
+    ASSERT_GT(id, 0u);
+    EXPECT_EQ(document().cursor_mm, document().inspection->defects[id - 1].centroid_mm);
+    EXPECT_GT(difference(window->views()->slice(SliceKind::axial)->grab().toImage(), slice), 0.001);
+}
+
+TEST_F(InspectionTest, LimitsAreHeldAgainstTheTableAtOnce) {
+    open(k_casting);
+    inspect();
+    OptionalValue* count = panel()->form()->limit(Rule::count);
+    count->spin()->setValue(0);
+    QTest::mouseClick(count->box(), Qt::LeftButton, {}, QPoint(8, count->box()->height() / 2));
+    ASSERT_TRUE(count->box()->isChecked());
+    EXPECT_EQ(panel()->judgement().verdict, Verdict::fail);
+    EXPECT_TRUE(panel()->verdictText().contains(QStringLiteral("Fail"))) << panel()->verdictText().toStdString();
+    count->spin()->setValue(100000);
+    EXPECT_NE(panel()->judgement().verdict, Verdict::fail);
+}
+
+TEST_F(InspectionTest, AWordByHandStandsOverTheLimitsAndCanBeTakenBack) {
+    open(k_casting);
+    inspect();
+    OptionalValue* diameter = panel()->form()->limit(Rule::defect_diameter_mm);
+    diameter->spin()->setValue(1e6);
+    diameter->box()->setChecked(true);
+    ASSERT_NE(panel()->judgement().verdict, Verdict::fail);
+    panel()->decide(1, false, QStringLiteral("at the sealing face"));
+    EXPECT_EQ(panel()->judgement().verdict, Verdict::fail);
+    ASSERT_EQ(panel()->judgement().by_hand.size(), 1u);
+    EXPECT_EQ(panel()->judgement().by_hand[0].reason, "at the sealing face");
+    EXPECT_EQ(panel()->judgement().defects[0].verdict, Verdict::fail);
+    panel()->decide(1, true, {});
+    EXPECT_TRUE(panel()->judgement().by_hand.empty());
+    EXPECT_NE(panel()->judgement().verdict, Verdict::fail);
+}
+
+TEST_F(InspectionTest, TheFilterTakesWordsAndComparisons) {
+    open(k_casting);
+    inspect();
+    const int all = rows();
+    panel()->filterEdit()->setText(QStringLiteral("inclusion"));
+    EXPECT_EQ(rows(), 0);
+    panel()->filterEdit()->setText(QStringLiteral("voxels >= 30"));
+    int expected = 0;
+    for (const Defect& defect : document().inspection->defects) expected += defect.voxels >= 30;
+    EXPECT_EQ(rows(), expected);
+    EXPECT_LT(expected, all);
+    panel()->filterEdit()->clear();
+    EXPECT_EQ(rows(), all);
+}
+
+TEST_F(InspectionTest, AnEditOfWhatIsFoundSaysThatTheVerdictIsStale) {
+    open(k_casting);
+    inspect();
+    panel()->form()->material()->box()->setChecked(true);
+    EXPECT_TRUE(panel()->verdictText().contains(QStringLiteral("inspect again")))
+        << panel()->verdictText().toStdString();
+    EXPECT_TRUE(panel()->form()->criteria().detection.material.has_value());
+    inspect();
+    EXPECT_FALSE(panel()->verdictText().contains(QStringLiteral("inspect again")));
+}
+
+TEST_F(InspectionTest, AnEffectChangesThePictureAndUndoTakesItBack) {
+    open(k_casting);
+    settle();
+    const QImage before = picture();
+    EffectsPanel* effects = window->effectsPanel();
+    effects->box(EffectKind::brightness)->setChecked(true);
+    ASSERT_EQ(document().settings.effects.size(), 1u);
+    EXPECT_EQ(document().settings.effects[0].kind, EffectKind::brightness);
+    settle();
+    EXPECT_GT(difference(picture(), before), 0.05);
+    window->documents()->undo();
+    EXPECT_TRUE(document().settings.effects.empty());
+    EXPECT_FALSE(effects->box(EffectKind::brightness)->isChecked());
+    settle();
+    EXPECT_EQ(difference(picture(), before), 0);
+}
+
+TEST_F(InspectionTest, AnEffectTheModeCannotServeIsOfferedNoMore) {
+    open(k_casting);
+    EffectsPanel* effects = window->effectsPanel();
+    effects->box(EffectKind::ao)->setChecked(true);
+    settle();
+    ViewSettings next = document().settings;
+    next.mode = ViewMode::mip;
+    window->documents()->edit(QStringLiteral("View mode"), next);
+    EXPECT_FALSE(effects->box(EffectKind::ao)->isEnabled());
+    EXPECT_EQ(document().settings.effects.size(), 1u);
+    settle();
+    EXPECT_TRUE(window->messageBar()->isHidden()) << window->messageBar()->text().toStdString();
+}
+
+}  // namespace
+
+}  // namespace lacuna::ui::test
