@@ -75,7 +75,7 @@ void MainWindow::saveCriteria() {
                                                       tr("Criteria (*.json)"));
     if (file.isEmpty()) return;
     try {
-        write_file(file.toStdString(), criteria_to_json(inspection_panel_->form()->criteria()));
+        write_file(file.toStdString(), criteria_to_json(inspection_panel_->form()->criteria()) + "\n");
     } catch (const Error& error) {
         messages_->showError(QString::fromStdString(error.what()));
     }

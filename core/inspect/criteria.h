@@ -69,6 +69,9 @@ struct Criteria {
 Criteria parse_criteria(std::string_view json, const std::string& file_name, const std::filesystem::path& folder = {});
 /// @throws as parse_criteria; Error(io)
 Criteria read_criteria(const std::filesystem::path& file);
+/// The criteria as JSON without spaces that parse_criteria reads back to the same.
+/// @pre voids or inclusions are looked for
+std::string criteria_to_json(const Criteria& criteria);
 
 /// A zone laid over a part's grid, ready to be asked.
 class ZoneMask {

@@ -101,6 +101,7 @@ CriteriaForm::CriteriaForm(QWidget* parent)
         connect(value, &OptionalValue::edited, this, &CriteriaForm::takeDetection);
     for (QCheckBox* box : {voids_, inclusions_}) connect(box, &QCheckBox::toggled, this, &CriteriaForm::takeDetection);
     connect(min_voxels_, &QSpinBox::valueChanged, this, &CriteriaForm::takeDetection);
+    criteria_.json = criteria_to_json(criteria_);
     show(criteria_);
 }
 
@@ -146,6 +147,10 @@ void CriteriaForm::takeDetection() {
     const std::optional<double> material = material_->value();
     const double top = detection.material ? std::max(detection.material->hi, highest_) : highest_;
     detection.material = material ? std::optional(ValueRange{*material, std::max(*material, top)}) : std::nullopt;
+    if (!voids_->isChecked() && !inclusions_->isChecked()) {  // there must be something to look for
+        const QSignalBlocker quiet(voids_);
+        voids_->setChecked(true);
+    }
     detection.voids = voids_->isChecked();
     detection.void_below = void_below_->value();
     detection.inclusions = inclusions_->isChecked();
@@ -153,11 +158,13 @@ void CriteriaForm::takeDetection() {
     detection.min_voxels = min_voxels_->value();
     void_below_->setEnabled(detection.voids);
     inclusion_above_->setEnabled(detection.inclusions);
+    criteria_.json = criteria_to_json(criteria_);
     Q_EMIT detectionEdited();
 }
 
 void CriteriaForm::takeLimits() {
     for (const Rule rule : k_rules) criteria_.limits[rule] = limits_[std::size_t(rule)]->value();
+    criteria_.json = criteria_to_json(criteria_);
     Q_EMIT limitsEdited();
 }
 

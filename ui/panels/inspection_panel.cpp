@@ -21,7 +21,6 @@ InspectionPanel::InspectionPanel(QWidget* parent)
       load_(new QPushButton(tr("Load criteria…"), this)),
       save_(new QPushButton(tr("Save criteria…"), this)),
       report_(new QPushButton(tr("Report…"), this)),
-      batch_(new QPushButton(tr("Batch…"), this)),
       accept_(new QPushButton(tr("Accept…"), this)),
       reject_(new QPushButton(tr("Reject…"), this)),
       undecide_(new QPushButton(tr("Undecide"), this)),
@@ -35,7 +34,6 @@ InspectionPanel::InspectionPanel(QWidget* parent)
     connect(load_, &QPushButton::clicked, this, &InspectionPanel::loadCriteriaRequested);
     connect(save_, &QPushButton::clicked, this, &InspectionPanel::saveCriteriaRequested);
     connect(report_, &QPushButton::clicked, this, &InspectionPanel::reportRequested);
-    connect(batch_, &QPushButton::clicked, this, &InspectionPanel::batchRequested);
     connect(accept_, &QPushButton::clicked, this, [this] { askReason(true); });
     connect(reject_, &QPushButton::clicked, this, [this] { askReason(false); });
     connect(undecide_, &QPushButton::clicked, this, [this] { decide(chosen(), true, {}); });
@@ -63,7 +61,6 @@ void InspectionPanel::build() {
     load_->setAccessibleName(tr("Load criteria from a file"));
     save_->setAccessibleName(tr("Save the criteria as a file"));
     report_->setAccessibleName(tr("Write the report folder"));
-    batch_->setAccessibleName(tr("Inspect a series of parts"));
     accept_->setAccessibleName(tr("Accept the chosen defect by hand"));
     reject_->setAccessibleName(tr("Reject the part for the chosen defect"));
     undecide_->setAccessibleName(tr("Take the decision by hand back"));
@@ -105,7 +102,7 @@ void InspectionPanel::build() {
     middle->addWidget(verdict_);
     middle->addWidget(facts_);
     middle->addStretch(1);
-    for (QPushButton* button : {accept_, reject_, undecide_, report_, batch_}) middle->addWidget(button);
+    for (QPushButton* button : {accept_, reject_, undecide_, report_}) middle->addWidget(button);
     auto* over = new QHBoxLayout;
     over->addWidget(filter_, 1);
     over->addWidget(coloring_);
@@ -117,8 +114,7 @@ void InspectionPanel::build() {
     row->addLayout(left, 2);
     row->addLayout(middle, 2);
     row->addLayout(right, 5);
-    chain_tabs(
-        {form_, load_, save_, inspect_, accept_, reject_, undecide_, report_, batch_, filter_, coloring_, view_});
+    chain_tabs({form_, load_, save_, inspect_, accept_, reject_, undecide_, report_, filter_, coloring_, view_});
 }
 
 void InspectionPanel::setVolume(const Volume& volume, const VolumeStatistics& statistics) {

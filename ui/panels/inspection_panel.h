@@ -42,7 +42,6 @@ Q_SIGNALS:
     void loadCriteriaRequested();
     void saveCriteriaRequested();
     void reportRequested();
-    void batchRequested();
     void failed(const QString& sentence);
 
 private:
@@ -61,7 +60,7 @@ private:
     CriteriaForm* form_;
     DefectModel* model_;
     DefectFilter* filtered_;
-    QPushButton *inspect_, *load_, *save_, *report_, *batch_, *accept_, *reject_, *undecide_;
+    QPushButton *inspect_, *load_, *save_, *report_, *accept_, *reject_, *undecide_;
     QLabel *verdict_, *facts_;
     QLineEdit* filter_;
     QComboBox* coloring_;

@@ -194,6 +194,17 @@ TEST(ZoneMask, ReadsLabelsOnThePartsGridOnly) {
     std::filesystem::remove_all(folder);
 }
 
+TEST(CriteriaJson, WhatIsWrittenReadsBackTheSame) {
+    const std::string json =
+        R"({"material":[100.5,900],"defects":{"void":{"below":90.25},"inclusion":"auto"},"min_voxels":12,)"
+        R"("method":"otsu","connectivity":18,"limits":{"porosity_percent":0.5,"count":3},)"
+        R"("zones":[{"name":"rim","box_mm":[[0,1,2],[3,4,5]],"limits":{"min_gap_mm":1.25}}]})";
+    const Criteria criteria = parse_criteria(json, "limits.json");
+    EXPECT_EQ(criteria_to_json(criteria), json);
+    const Criteria plain = parse_criteria(R"({"limits":{"count":1}})", "limits.json");
+    EXPECT_EQ(criteria_to_json(parse_criteria(criteria_to_json(plain), "again.json")), criteria_to_json(plain));
+}
+
 }  // namespace
 
 }  // namespace lacuna
