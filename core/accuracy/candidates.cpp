@@ -74,6 +74,19 @@ void vary_fully(Collector& all, const ModePlan& base, double step) {
     }
     if (mode == ViewMode::ea) all.vary(base, &Plan::ert, {0.0, 0.002, 0.01, 0.05});
     all.vary(base, &Plan::sparse, {2, 3, 4, 8});
+    for (const int k : {4, 8}) {
+        ModePlan aware = base;
+        aware.plan.sparse = k;
+        aware.plan.sparse_aware = true;
+        all.add(aware);
+    }
+    for (const double factor : {1.0, 2.0, 3.0, 4.0}) {
+        ModePlan segments = base;
+        segments.plan.integration = Integration::preintegrated;
+        segments.plan.step = factor * step;
+        all.add(segments);
+    }
+    all.vary(base, &Plan::gradient_store, {GradientStore::stored});
     if (knows_thresholds(structure, mode)) {
         for (const double threshold : {0.002, 0.01, 0.05}) {
             ModePlan other = base;
@@ -120,8 +133,12 @@ void vary_shear_warp(Collector& all, const ModePlan& base) {
 void vary_quickly(Collector& all, const ModePlan& base, double step) {
     if (base.mode == ViewMode::ea) all.vary(base, &Plan::ert, {0.0, 0.02});
     all.vary(base, &Plan::step, {1.5 * step, 2 * step, 4 * step});
-    all.vary(base, &Plan::sampler, {Sampler::nearest});
+    for (const auto& [sampler, name] : sampler_names()) all.vary(base, &Plan::sampler, {sampler});
     all.vary(base, &Plan::sparse, {2, 4});
+    ModePlan segments = base;
+    segments.plan.integration = Integration::preintegrated;
+    segments.plan.step = 2 * step;
+    all.add(segments);
 }
 
 }  // namespace

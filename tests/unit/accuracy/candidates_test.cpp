@@ -59,7 +59,7 @@ TEST(Candidates, BruteForceIsFirstAndNoneIsThereTwice) {
                 EXPECT_NO_THROW(check(c.plan.plan, drawn));
             }
             if (extent == SweepExtent::quick) {
-                EXPECT_LE(found.size(), structure_names().size() + 10);
+                EXPECT_LE(found.size(), structure_names().size() + 14);
             }
         }
 }
