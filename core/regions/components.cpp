@@ -69,6 +69,10 @@ std::uint32_t number_by_size(ProvisionalLabels& provisional, std::int64_t min_vo
     std::uint32_t count = 0;
     const std::vector<std::uint32_t> final_id = rank_by_size(provisional.voxels, min_voxels, count);
     std::vector<std::uint64_t>().swap(provisional.voxels);
+    std::vector<double> mean(provisional.mean.empty() ? 0 : std::size_t(count) + 1, 0.0);
+    for (std::size_t id = 1; id < provisional.mean.size(); ++id)
+        if (final_id[id] != 0) mean[final_id[id]] = provisional.mean[id];
+    provisional.mean = std::move(mean);
 
     std::vector<std::uint32_t>& labels = *provisional.labels;
     parallel_bands(

@@ -40,6 +40,7 @@ template <class T>
 class Grower {
 public:
     using Wide = std::conditional_t<std::is_integral_v<T>, std::int32_t, double>;
+    using Sum = std::conditional_t<std::is_integral_v<T>, std::int64_t, double>;
 
     Grower(const Volume& volume, std::vector<std::uint32_t>& labels, double width, Connectivity connectivity,
            std::int64_t min_voxels, const JobContext& job)
@@ -56,8 +57,9 @@ public:
             }
     }
 
-    std::vector<std::uint64_t> grow_all() {
-        std::vector<std::uint64_t> voxels(1, 0);
+    void grow_all(std::vector<std::uint64_t>& voxels, std::vector<double>& mean) {
+        voxels.assign(1, 0);
+        mean.assign(1, 0);
         for (int z = 0; z < size_.z; ++z) {
             job_.check();
             for (int y = 0; y < size_.y; ++y) {
@@ -72,10 +74,10 @@ public:
                     }
                     if (voxels.size() > k_most_regions) refuse_region_count(min_voxels_);
                     voxels.push_back(std::uint64_t(count_));
+                    mean.push_back(double(sum_) / double(count_));
                 }
             }
         }
-        return voxels;
     }
 
 private:
@@ -97,6 +99,7 @@ private:
     }
 
     void admit(Wide value) {
+        sum_ += value;
         if (value < low_) low_ = value, admit_high_ = low_ + width_;
         if (value > high_) high_ = value, admit_low_ = high_ - width_;
     }
@@ -106,6 +109,7 @@ private:
         admit_low_ = high_ - width_;
         admit_high_ = low_ + width_;
         count_ = 0;
+        sum_ = 0;
         claimed_.clear();
         queue_.clear();
         claim(y, z, x, x);
@@ -164,6 +168,7 @@ private:
     glm::ivec3 size_;
     Wide width_, low_{}, high_{}, admit_low_{}, admit_high_{};
     std::int64_t min_voxels_, count_ = 0, since_check_ = 0, done_ = 0;
+    Sum sum_ = 0;
     std::uint32_t id_ = 0;
     std::vector<RowNeighbour> neighbours_;
     SegmentQueue queue_;
@@ -196,8 +201,8 @@ ProvisionalLabels grow_regions(const Volume& volume, double width, const RegionO
     visit_type(volume.type(), [&](auto tag) {
         using T = decltype(tag);
         const JobContext growing = job.part(0.05, 1);
-        result.voxels =
-            Grower<T>(volume, *result.labels, width, options.connectivity, options.min_voxels, growing).grow_all();
+        Grower<T>(volume, *result.labels, width, options.connectivity, options.min_voxels, growing)
+            .grow_all(result.voxels, result.mean);
     });
     return result;
 }

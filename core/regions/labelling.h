@@ -26,6 +26,7 @@ inline constexpr std::uint32_t k_most_regions = 1u << 22;
 struct ProvisionalLabels {
     std::shared_ptr<std::vector<std::uint32_t>> labels;  ///< per voxel: id, 0 or k_never
     std::vector<std::uint64_t> voxels;                   ///< per id: voxels of the region; [0] unused
+    std::vector<double> mean;  ///< per id, of its values; only where regions were grown; [0] unused
 };
 
 /// Homogeneous-region growing (Frey & Ertl 2009, section 3): every voxel without a label is, in scan order, the seed of

@@ -85,6 +85,21 @@ RegionTable find_regions(const Volume& volume, const RegionOptions& options, con
     return table;
 }
 
+HomogeneousRegions grow_homogeneous_regions(const Volume& volume, const RegionOptions& options, const JobContext& job) {
+    check_options(volume, options);
+    if (!options.range_width || options.merge_slivers)
+        throw Error(Errc::bad_usage,
+                    "Homogeneous regions need a range width, not a threshold, and keep no slivers: leave those out.");
+    HomogeneousRegions made;
+    made.value_range = finite_range(volume, job.part(0, 0.04));
+    labelling::ProvisionalLabels provisional =
+        labelling::grow_regions(volume, *options.range_width * made.value_range.width(), options, job.part(0.04, 0.9));
+    labelling::number_by_size(provisional, options.min_voxels, job.part(0.9, 1));
+    made.labels = {volume.geometry(), provisional.labels};
+    made.mean = std::move(provisional.mean);
+    return made;
+}
+
 std::vector<std::uint8_t> region_mask(const LabelVolume& labels, const RegionCharacteristics& region) {
     const glm::ivec3 first = region.bbox_first, extent = region.bbox_last - first + 1;
     if (glm::any(glm::lessThan(first, glm::ivec3(0))) || glm::any(glm::lessThan(extent, glm::ivec3(1))) ||
