@@ -18,9 +18,9 @@ namespace {
 
 struct RegionsWords {
     InputOptions input;
-    std::optional<std::string> range_width, threshold, background, connectivity, min_voxels;
+    std::optional<std::string> range_width, threshold, background, connectivity, min_voxels, gradient_limit;
     std::string labels, mesh_folder, mesh_format = "stl", json, csv;
-    bool inner = false;
+    bool inner = false, merge_slivers = false, exact_surfaces = false;
 };
 
 /// The words that need no volume; threshold ends are resolved later.
@@ -47,6 +47,14 @@ RegionOptions parse_options(const RegionsWords& words) {
     // readable and its memory small.
     if (words.range_width) options.min_voxels = 8;
     if (words.min_voxels) options.min_voxels = parse_integer("--min-voxels", *words.min_voxels, 1, INT64_MAX);
+    if (words.gradient_limit) {
+        options.gradient_limit = parse_number("--gradient-limit", *words.gradient_limit);
+        if (!(*options.gradient_limit >= 0))
+            refuse("--gradient-limit", *words.gradient_limit, "a number from 0 up, in the volume's unit per mm");
+    }
+    options.merge_slivers = words.merge_slivers;
+    if (words.exact_surfaces && (!words.threshold || words.mesh_folder.empty()))
+        throw Error(Errc::bad_usage, "--exact-surfaces goes with --threshold and --mesh.");
     const char* const formats[] = {"stl", "ply", "obj", "vtp"};
     if (std::find(std::begin(formats), std::end(formats), words.mesh_format) == std::end(formats))
         refuse("--mesh-format", words.mesh_format, "stl, ply, obj or vtp");
@@ -150,10 +158,14 @@ std::string table_text(const RegionTable& table) {
     return text;
 }
 
-void write_meshes(const RegionTable& table, const RegionsWords& words, const JobContext& job) {
+void write_meshes(const Volume& volume, const RegionTable& table, const RegionOptions& options,
+                  const RegionsWords& words, const JobContext& job) {
     MeshFolder folder(words.mesh_folder);
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
-        const TriangleMesh mesh = region_mesh(table.labels, table.rows[i], JobContext{job.stop, nullptr});
+        const JobContext quiet{job.stop, nullptr};
+        const TriangleMesh mesh = words.exact_surfaces
+                                      ? region_mesh(volume, *options.threshold, table.labels, table.rows[i], quiet)
+                                      : region_mesh(table.labels, table.rows[i], quiet);
         folder.add(mesh, fmt::format("region-{:05}.{}", table.rows[i].id, words.mesh_format));
         job.checkpoint(i + 1, table.rows.size());
     }
@@ -175,7 +187,7 @@ int run_regions(RegionsWords& words, Console& console) {
     RegionTable table = find_regions(volume, options, console.job("Finding regions"));
     if (words.inner) keep_inner(table);
     if (!words.labels.empty()) write_labels(table.labels, words.labels, console.job("Writing labels"));
-    if (!words.mesh_folder.empty()) write_meshes(table, words, console.job("Writing meshes"));
+    if (!words.mesh_folder.empty()) write_meshes(volume, table, options, words, console.job("Writing meshes"));
     if (!words.json.empty()) write_file(words.json, regions_to_json(table));
     if (!words.csv.empty()) write_file(words.csv, regions_to_csv(table));
     console.print(table_text(table));
@@ -199,6 +211,12 @@ void add_regions_command(CLI::App& app, Action& chosen) {
     command->add_option("--connectivity", words->connectivity, "neighbours of a voxel: 6, 18 or 26 (default 6)");
     command->add_option("--min-voxels", words->min_voxels,
                         "leave out smaller regions (default 8 with --range-width, else 1)");
+    command->add_option("--gradient-limit", words->gradient_limit,
+                        "voxels with a larger gradient (unit per mm) belong to no region");
+    command->add_flag("--merge-slivers", words->merge_slivers,
+                      "pieces left over that are smaller than --min-voxels join the region they touch most");
+    command->add_flag("--exact-surfaces", words->exact_surfaces,
+                      "with --threshold: mesh vertices lie where the values pass the threshold, not half way");
     command->add_flag("--inner", words->inner, "leave out regions that touch the volume's border (air around a part)");
     command->add_option("--labels", words->labels, "write the regions' ids as a volume, e.g. labels.nrrd");
     command->add_option("--mesh", words->mesh_folder, "write one closed surface a region into this folder");

@@ -78,15 +78,30 @@ void count_value(Sides& sides, float value) {
     sides.max = std::max(sides.max, v);
 }
 
+/// The level of a defect too small to have a core: that of its few deepest voxels where blur has left them clearly
+/// short of the level of large ones, which stands otherwise.
+double shallow_level(std::vector<float>& own, const Surroundings& s) {
+    constexpr std::size_t k_deepest = 3;
+    if (own.empty()) return s.defect_level;
+    const std::size_t count = std::min(k_deepest, own.size());
+    const double sign = s.type == DefectType::void_ ? 1 : -1;
+    std::partial_sort(own.begin(), own.begin() + std::ptrdiff_t(count), own.end(),
+                      [sign](float a, float b) { return sign * double(a) < sign * double(b); });
+    double deepest = 0;
+    for (std::size_t i = 0; i < count; ++i) deepest += double(own[i]) / double(count);
+    return sign * (deepest - s.defect_level) > 2 * s.noise ? deepest : s.defect_level;
+}
+
 /// The local levels: material from two layers of voxels beyond the boundary layer, the defect's from its core where it
-/// has one. Where there are too few voxels, the levels of the whole part stand.
+/// has one and from its deepest voxels else. Where there are too few voxels, the levels of the whole part stand.
 Sides look_at_sides(const Volume& volume, const LabelVolume& labels, const MaskVolume& part, const Surroundings& s,
                     const Defect& defect, const JobContext& job) {
     constexpr std::size_t k_few = 20;
     const int layers = boundary_layers(s, volume.geometry());
     RegionShell shell(labels, &part, defect.id, defect.bbox_first, defect.bbox_last, layers + 2);
     SliceReader reader(volume, shell.first(), shell.extent());
-    std::vector<float> round, core;
+    constexpr std::int64_t k_small = 500;  ///< voxels; larger ones have a core or are no blurred spot
+    std::vector<float> round, core, own;
     Sides sides{s.defect_level, s.material_level, s.threshold};
     for (int z = 0; z < shell.extent().z; ++z) {
         job.check();
@@ -95,6 +110,7 @@ Sides look_at_sides(const Volume& volume, const LabelVolume& labels, const MaskV
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (at.own[i] == 0) count_value(sides, values[i]);
             if (!std::isfinite(values[i])) continue;
+            if (at.own[i] == 0 && defect.voxels <= k_small) own.push_back(values[i]);
             if (at.beyond[i] > layers) core.push_back(values[i]);
             if (at.own[i] > layers && at.own[i] <= layers + 2 && at.foreign[i] > layers + 1) round.push_back(values[i]);
         }
@@ -107,9 +123,13 @@ Sides look_at_sides(const Volume& volume, const LabelVolume& labels, const MaskV
     if (round.size() >= k_few)
         if (const double level = median_of(round); plausible(level, s.material_level))
             sides.material_level = level, sides.round = round.size();
-    if (core.size() >= k_few)
-        if (const double level = median_of(core); plausible(level, s.defect_level)) sides.defect_level = level;
-    sides.threshold = (sides.material_level + sides.defect_level) / 2;
+    double inner = sides.defect_level;
+    if (core.size() >= k_few) {
+        if (const double level = median_of(core); plausible(level, s.defect_level)) sides.defect_level = inner = level;
+    } else {
+        inner = shallow_level(own, s);  // moves the surface alone: partial volumes refer to a whole voxel of void
+    }
+    sides.threshold = (sides.material_level + inner) / 2;
     return sides;
 }
 
@@ -238,6 +258,10 @@ void measure_by_values(const Volume& volume, const LabelVolume& labels, const Ma
         area[k] = area_mm2(walk.meshes[k]);
         diameter[k] = 2 * smallest_enclosing_sphere(walk.meshes[k].vertices).radius;
     }
+    // Taken as linear between voxels, values put a curved surface a little inside the true one.
+    const double deficit =
+        std::clamp(linear_deficit_mm3(walk.meshes[0], geometry), -0.2 * volume_mm3[0], volume_mm3[0]);
+    for (double& v : volume_mm3) v = v > 0 ? std::max(0.0, v + deficit) : 0;
     defect.voxel_volume_mm3 = double(defect.voxels) * voxel;
     defect.integral_volume_mm3 = std::max(0.0, walk.integral_voxels) * voxel;
     defect.surface_mesh_mm2 = area[0];

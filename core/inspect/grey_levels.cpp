@@ -82,12 +82,25 @@ GreyLevels one_population(const VolumeStatistics& s, const CoarseHistogram& h) {
         levels.has_material = true;
         levels.air = std::min(deep, s.range.lo + 0.2 * (mode - s.range.lo));
         levels.threshold = (levels.air + levels.material) / 2;
+        levels.noise = half;
         return levels;
     }
     levels.air = levels.material;
     levels.threshold = s.range.hi;
     levels.why_not = "The values form one population: there is no material that stands out from air.";
     return levels;
+}
+
+/// The median of the histogram's values on one side: where a detector's or a file's range clips, the mode is the
+/// clipped end, and the median still the middle.
+double side_median(const VolumeStatistics& s, double threshold, bool below) {
+    double total = 0, seen = 0;
+    const auto on_side = [&](std::size_t b) { return (s.bin_centre(b) < threshold) == below; };
+    for (std::size_t b = 0; b < s.histogram.size(); ++b)
+        if (on_side(b)) total += double(s.histogram[b]);
+    for (std::size_t b = 0; b < s.histogram.size(); ++b)
+        if (on_side(b) && (seen += double(s.histogram[b])) >= total / 2) return s.bin_centre(b);
+    return threshold;
 }
 
 double median_of(std::vector<double>& values) {
@@ -118,6 +131,8 @@ GreyLevels find_levels(const Volume& volume, const VolumeStatistics& statistics)
     const double near = std::max(0.05 * (h.centre(high) - h.centre(low)), h.width);
     levels.air = refined(statistics, h.centre(low), near);
     levels.material = refined(statistics, h.centre(high), near);
+    if (low < 2) levels.air = side_median(statistics, otsu, true);
+    if (high + 2 >= h.count.size()) levels.material = side_median(statistics, otsu, false);
     levels.threshold = otsu;
     if (!(otsu > levels.air && otsu < levels.material)) levels.threshold = (levels.air + levels.material) / 2;
     levels.noise = measure_noise(volume, levels.threshold);
@@ -157,39 +172,34 @@ struct EdgeProbe {
     glm::ivec3 size;
     std::vector<double> squared_sigma_mm2;
 
-    /// An edge between voxel p and p + step along an axis; `at` reads a value.
+    /// An edge between voxel p and p + step along an axis; `at` reads a value, the border's beyond it.
     template <class At>
     void look(const glm::ivec3& p, int axis, const At& at) {
-        constexpr int k_reach = 6;
         glm::ivec3 step(0);
         step[axis] = 1;
-        for (int a = 0; a < 3; ++a) {
-            const int margin = a == axis ? k_reach : 1;
-            if (size[a] > 1 && (p[a] < margin || p[a] >= size[a] - margin - 1)) return;
-        }
-        const double direction = at(p + step) > at(p) ? 1 : -1;
-        if (!(cosine(p, axis, at) > 0.95)) return;
-        // From the edge outwards to where the values stop falling or rising: the local step, and where 16 and 84 % lie.
-        double values[2 * k_reach];
-        for (int k = 0; k < 2 * k_reach; ++k) {
-            values[k] = direction * at(p + step * (k - k_reach + 1));
-            if (!std::isfinite(values[k])) return;
-        }
-        const double low = (values[0] + values[1]) / 2, high = (values[2 * k_reach - 1] + values[2 * k_reach - 2]) / 2;
-        const double contrast = levels.contrast();
-        if (!(high - low > 0.7 * contrast && high - low < 1.4 * contrast)) return;
-        const double from = crossing(values, 2 * k_reach, low + 0.1587 * (high - low));
-        const double to = crossing(values, 2 * k_reach, low + 0.8413 * (high - low));
-        if (!(to > from)) return;
-        const double h = spacing[axis], half = 0.5 * (to - from) * h * cosine(p, axis, at);
+        const double cosine_here = cosine(p, axis, at);
+        if (!(cosine_here > 0.95)) return;
+        const bool rising = at(p + step) > at(p);
+        const glm::ivec3 low = rising ? p : p + step, high = rising ? p + step : p;
+        const double down = walk(low, low - high, levels.air + 0.1587 * levels.contrast(), -1, high, at);
+        const double up = walk(high, high - low, levels.air + 0.8413 * levels.contrast(), 1, low, at);
+        const double h = spacing[axis], half = 0.5 * (down + up - 1) * h * cosine_here;
+        if (!(half > 0)) return;
         squared_sigma_mm2.push_back(half * half - h * h / 6);  // linear interpolation is a triangle of that variance
     }
 
-    /// Where the values pass a level for the first time, in samples; NaN if never.
-    static double crossing(const double* values, int count, double level) {
-        for (int k = 1; k < count; ++k)
-            if (values[k - 1] < level && values[k] >= level)
-                return k - 1 + (level - values[k - 1]) / (values[k] - values[k - 1]);
+    /// Samples from `before`, the voxel across the edge, to where the level is passed, straight on from p without
+    /// turning back; NaN if that is not within 5.
+    template <class At>
+    static double walk(glm::ivec3 p, const glm::ivec3& step, double level, double sign, const glm::ivec3& before,
+                       const At& at) {
+        double last = at(before);
+        for (int k = 0; k < 5; ++k, p += step) {
+            const double value = at(p);
+            if (!(sign * (value - last) >= 0)) break;
+            if (sign * (value - level) >= 0) return k + (level - last) / (value - last);
+            last = value;
+        }
         return std::numeric_limits<double>::quiet_NaN();
     }
 
@@ -220,7 +230,10 @@ double measure_edge_width(const Volume& volume, const GreyLevels& levels, const 
     const double level = (levels.air + levels.material) / 2;
     visit_type(volume.type(), [&](auto tag) {
         const auto view = volume.view<decltype(tag)>();
-        const auto at = [&](const glm::ivec3& p) { return double(view(p.x, p.y, p.z)); };
+        const auto at = [&](const glm::ivec3& p) {
+            const glm::ivec3 q = glm::clamp(p, glm::ivec3(0), size - 1);
+            return double(view(q.x, q.y, q.z));
+        };
         for (int i = 0; i < std::min(size.z, k_slices) && probe.squared_sigma_mm2.size() < k_enough; ++i) {
             const int z = int((std::int64_t(2 * i + 1) * size.z) / (2 * std::min(size.z, k_slices)));
             job.check();

@@ -27,9 +27,10 @@ GreyLevels find_levels(const Volume& volume, const VolumeStatistics& statistics)
 /// voxels does not hide it.
 double measure_noise(const Volume& volume, double threshold);
 
-/// Sigma of a Gaussian blur in mm, from edges: along rows of voxels that pass from air to material nearly at right
-/// angles, half the width from 16 to 84 % of the local step (median over up to 200 000 edges), less what sampling and
-/// linear interpolation add. 0 for values that are binary; NaN where there are no edges.
+/// Sigma of a Gaussian blur in mm, from edges: where a row of voxels passes from air to material nearly at right angles
+/// and without turning back, half the width from 16 to 84 % of the step between the two levels (median over up to
+/// 200 000 edges), less what sampling and linear interpolation add. 0 for values that are binary; NaN where there are
+/// no such edges.
 double measure_edge_width(const Volume& volume, const GreyLevels& levels, const JobContext& job);
 
 }  // namespace lacuna::inspect

@@ -104,8 +104,10 @@ struct PartAnalysis {
     std::string surface_method, adjacency;  ///< as in RegionTable
 };
 
-/// One closed, outward-oriented surface of a defect, in mm, its vertices where the values pass Defect::threshold by
-/// linear interpolation. @throws Error(bad_usage) for an id that is not there; Error(cancelled)
+/// One closed, outward-oriented surface of a defect, in mm: vertices where the values pass Defect::threshold by linear
+/// interpolation, then all moved outwards by the same small length (well under a voxel), so that it encloses the volume
+/// of the defect's row and not the one its flat triangles cut off. @throws Error(bad_usage) for an id that is not
+/// there; Error(cancelled)
 TriangleMesh defect_mesh(const Volume& volume, const PartAnalysis& analysis, std::uint32_t id,
                          const JobContext& job = {});
 

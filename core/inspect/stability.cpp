@@ -11,13 +11,27 @@ namespace {
 
 constexpr int k_points = 17;
 constexpr double k_first = 0.2, k_last = 0.8;  ///< of the contrast
-constexpr double k_steady = 0.1, k_shortest = 0.15;
+constexpr double k_steady = 0.1;               ///< share by which a count may stray from the stretch's middle
+constexpr double k_shortest = 0.15;            ///< of the contrast
+constexpr double k_slope = 1.5;                ///< times the least slope of porosity
 
-bool is_steady(const std::vector<double>& values, std::size_t first, std::size_t last, double slack) {
+bool is_steady(const std::vector<double>& counts, std::size_t first, std::size_t last) {
     const auto [lo, hi] =
-        std::minmax_element(values.begin() + std::ptrdiff_t(first), values.begin() + std::ptrdiff_t(last) + 1);
+        std::minmax_element(counts.begin() + std::ptrdiff_t(first), counts.begin() + std::ptrdiff_t(last) + 1);
     const double middle = (*lo + *hi) / 2;
-    return *hi - middle <= std::max(k_steady * middle, slack);
+    return *hi - middle <= std::max(k_steady * middle, 0.5);
+}
+
+/// Slopes of porosity between neighbouring points, per point's width, each the median of three: noise of the curve
+/// itself must not pass for its flattest place.
+std::vector<double> slopes_of(const std::vector<double>& porosity) {
+    std::vector<double> raw, slopes;
+    for (std::size_t k = 1; k < porosity.size(); ++k) raw.push_back(std::abs(porosity[k] - porosity[k - 1]));
+    for (std::size_t k = 0; k < raw.size(); ++k) {
+        double a = raw[k ? k - 1 : k], b = raw[k], c = raw[std::min(k + 1, raw.size() - 1)];
+        slopes.push_back(std::max(std::min(a, b), std::min(std::max(a, b), c)));
+    }
+    return slopes;
 }
 
 }  // namespace
@@ -34,9 +48,12 @@ double StabilitySweep::part_voxels_at(double threshold) const {
 
 ValueRange find_plateau(const StabilityCurve& curve, double contrast) {
     ValueRange best{0, -1};
-    for (std::size_t first = 0; first < curve.threshold.size(); ++first)
-        for (std::size_t last = first + 1; last < curve.threshold.size(); ++last) {
-            if (!is_steady(curve.porosity_percent, first, last, 1e-9) || !is_steady(curve.count, first, last, 1)) break;
+    const std::vector<double> slopes = slopes_of(curve.porosity_percent);
+    if (slopes.empty()) return best;
+    const double limit = k_slope * *std::min_element(slopes.begin(), slopes.end()) + 1e-12;
+    for (std::size_t first = 0; first < slopes.size(); ++first)
+        for (std::size_t last = first + 1; last <= slopes.size() && slopes[last - 1] <= limit; ++last) {
+            if (!is_steady(curve.count, first, last)) break;
             const double length = curve.threshold[last] - curve.threshold[first];
             // Of two equally long ones the first stands: rounding must not choose.
             if (length >= k_shortest * contrast * (1 - 1e-9) && length > best.width() + 1e-9 * contrast)

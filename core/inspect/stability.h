@@ -19,8 +19,10 @@ struct StabilitySweep {
 StabilitySweep sweep_thresholds(const Volume& volume, const GreyLevels& levels, bool filled, Connectivity connectivity,
                                 std::int64_t min_voxels, const JobContext& job);
 
-/// The plateau: the longest stretch of thresholds within which porosity stays within 10 % of its middle value and the
-/// count within 10 % (or one); at least 15 % of the contrast long, else none ({0, -1}).
+/// The plateau: the longest stretch of thresholds on which porosity changes at most 1.5 times as fast as where it
+/// changes least, and the count stays within 10 % (or half a void) of its middle; at least 15 % of the contrast long,
+/// else none
+/// ({0, -1}). A blurred edge is steepest, and so the volume inside it steadiest, half way between its two sides.
 ValueRange find_plateau(const StabilityCurve& curve, double contrast);
 
 }  // namespace lacuna::inspect

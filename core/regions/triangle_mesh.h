@@ -23,9 +23,9 @@ double area_mm2(const TriangleMesh& mesh);
 bool is_closed(const TriangleMesh& mesh);
 
 /// What a marching-cubes surface of a smooth field encloses too little, mm^3: between voxels the values are taken as
-/// linear, which moves the surface towards its centre of curvature by the mean of h^2/12 times the curvature along each
-/// grid axis. Integrated over the mesh by its edges' dihedral angles (a ball of R voxels lacks 0.5/R^2 of its volume).
-/// 0 for a mesh that is not closed. Cost: a sort of the edges.
+/// linear and the surface as flat triangles, which puts it inside where it is convex, by a share of h^2 times the
+/// curvature along each grid axis. Integrated over the mesh by its edges' dihedral angles (a ball of R voxels lacks
+/// 0.6/R^2 of its volume). 0 for a mesh that is not closed. Cost: a sort of the edges.
 double linear_deficit_mm3(const TriangleMesh& mesh, const GridGeometry& geometry);
 
 /// Moves the vertices of a closed mesh along their normals, all by the same length and at most `most_mm`, until it
