@@ -115,6 +115,7 @@ void save_dataset(DcmDataset& set, const std::filesystem::path& target) {
     AtomicFile file(target);
     DcmFileFormat format(&set, OFFalse);
     const OFCondition saved = format.saveFile(file.path().c_str(), EXS_LittleEndianExplicit, EET_ExplicitLength);
+    (void)format.getAndRemoveDataset();  // it is the caller's
     // The library does not report a disk that ran full when it closes the file: the length tells.
     std::error_code ec;
     const std::uintmax_t bytes = std::filesystem::file_size(file.path(), ec);
