@@ -4,6 +4,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/inspect/report.h"
+#include "core/io/dicom_source.h"
 #include "ui/main_window.h"
 
 namespace lacuna::ui {
@@ -98,7 +99,8 @@ void MainWindow::writeReport(const QString& folder) {
     report_share_ = 0;
     updateProgress();
     report_job_.start(
-        [volume, criteria, options, folder, engine = engine_](const JobContext& job) {
+        [volume, criteria, options, folder, engine = engine_](const JobContext& job) mutable {
+            if (volume.dicom) options.source = find_dicom_source(options.input, {}, job);
             const std::filesystem::path path = folder.toStdString();
             check_report_folder(path);
             const std::vector<ZoneMask> zones = lay_zones(criteria, volume.geometry(), job);

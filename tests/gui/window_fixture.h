@@ -11,6 +11,7 @@
 
 namespace lacuna::ui::test {
 
+inline const QString k_casting = QStringLiteral("sample:casting@48");
 constexpr int k_patience_ms = 60000;  ///< for slow machines; a passing test waits for signals, not for this
 
 /// Share of pixels that differ visibly between two pictures; 1 when the sizes differ.

@@ -13,8 +13,6 @@
 namespace lacuna::ui::test {
 namespace {
 
-const QString k_casting = QStringLiteral("sample:casting@48");
-
 TEST_F(WindowTest, AWrongPathIsSaidInTheMessageBar) {
     QSignalSpy finished(window->loader(), &LoadController::finished);
     window->openInput(QStringLiteral("no/such/folder"));
