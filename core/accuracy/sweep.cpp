@@ -168,7 +168,7 @@ private:
         const std::size_t total = measured.size() * std::size_t(options_.rounds);
         std::size_t done = 0;
         bool in_time = true;
-        for (int round = 0; round < options_.rounds && in_time; ++round) {
+        for (int round = 0; round < options_.rounds && in_time && !measured.empty(); ++round) {
             for (std::size_t k = 0; k < measured.size() && in_time; ++k) {
                 const std::size_t i = round % 2 ? measured.size() - 1 - k : k;
                 times[i].push_back(visit(measured[i]->plan));

@@ -196,9 +196,9 @@ TEST(ZoneMask, ReadsLabelsOnThePartsGridOnly) {
 
 TEST(CriteriaJson, WhatIsWrittenReadsBackTheSame) {
     const std::string json =
-        R"({"material":[100.5,900],"defects":{"void":{"below":90.25},"inclusion":"auto"},"min_voxels":12,)"
+        R"({"material":[100.5,900.0],"defects":{"void":{"below":90.25},"inclusion":"auto"},"min_voxels":12,)"
         R"("method":"otsu","connectivity":18,"limits":{"porosity_percent":0.5,"count":3},)"
-        R"("zones":[{"name":"rim","box_mm":[[0,1,2],[3,4,5]],"limits":{"min_gap_mm":1.25}}]})";
+        R"("zones":[{"name":"rim","box_mm":[[0.0,1.0,2.0],[3.0,4.0,5.0]],"limits":{"min_gap_mm":1.25}}]})";
     const Criteria criteria = parse_criteria(json, "limits.json");
     EXPECT_EQ(criteria_to_json(criteria), json);
     const Criteria plain = parse_criteria(R"({"limits":{"count":1}})", "limits.json");

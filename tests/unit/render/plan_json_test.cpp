@@ -68,7 +68,7 @@ TEST(PlanJson, RefusesWhatItDoesNotKnow) {
     EXPECT_NE(complaint(R"({"stepp": 1})").find("stepp"), std::string::npos);
     EXPECT_NE(complaint(R"({"step": "wide"})").find("step"), std::string::npos);
     EXPECT_NE(complaint(R"({"structure": "oak"})").find("oak"), std::string::npos);
-    EXPECT_NE(complaint(R"({"gradient": "sobel"})").find("gradient"), std::string::npos);
+    EXPECT_NE(complaint(R"({"gradient": "scharr"})").find("gradient"), std::string::npos);
     EXPECT_NE(complaint("[1]").find("plan.json"), std::string::npos);
     EXPECT_NE(complaint("{").find("no JSON"), std::string::npos);
 }
