@@ -98,11 +98,20 @@ void InspectionPanel::build() {
     left->addWidget(load_, 1, 0);
     left->addWidget(save_, 1, 1);
     left->addWidget(inspect_, 2, 0, 1, 2);
-    auto* middle = new QVBoxLayout;
-    middle->addWidget(verdict_);
-    middle->addWidget(facts_);
-    middle->addStretch(1);
-    for (QPushButton* button : {accept_, reject_, undecide_, report_}) middle->addWidget(button);
+    auto* middle = new QGridLayout;
+    middle->addWidget(verdict_, 0, 0, 1, 2);
+    middle->addWidget(facts_, 1, 0, 1, 2);
+    middle->setRowStretch(2, 1);
+    middle->addWidget(accept_, 3, 0);
+    middle->addWidget(reject_, 3, 1);
+    middle->addWidget(undecide_, 4, 0);
+    middle->addWidget(report_, 4, 1);
+    for (QLabel* label : {verdict_, facts_}) {  // long sentences must not widen or heighten the dock
+        label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
+        label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    }
+    verdict_->setMinimumHeight(3 * fontMetrics().lineSpacing() + 18);
+    facts_->setMinimumHeight(3 * fontMetrics().lineSpacing());
     auto* over = new QHBoxLayout;
     over->addWidget(filter_, 1);
     over->addWidget(coloring_);
@@ -195,6 +204,10 @@ void InspectionPanel::showVerdict() {
     if (!by_hand_.empty()) lines << tr("%n decided by hand", nullptr, int(by_hand_.size()));
     for (const std::string& warning : analysis_->part.warnings) lines << QString::fromStdString(warning);
     facts_->setText(lines.join(QLatin1Char('\n')));
+    facts_->setToolTip(facts_->text());
+    QStringList reasons;
+    for (const std::string& reason : judgement_.reasons) reasons << QString::fromStdString(reason);
+    verdict_->setToolTip(reasons.join(QLatin1Char('\n')));
 }
 
 void InspectionPanel::askReason(bool accepted) {
