@@ -54,7 +54,8 @@ bool belongs(const RegionShell::SliceView& at, std::size_t i, int layers) {
 /// Grey values of a region's inside and of the material round it.
 struct Sides {
     double defect_level, material_level, threshold;
-    std::size_t round = 0;  ///< voxels the material level comes from
+    double full_threshold = threshold;  ///< half way to the level of large defects, however shallow this one is
+    std::size_t round = 0;              ///< voxels the material level comes from
     double n = 0, sum = 0, squares = 0, nan = 0;
     double min = std::numeric_limits<double>::infinity(), max = -std::numeric_limits<double>::infinity();
 };
@@ -130,6 +131,7 @@ Sides look_at_sides(const Volume& volume, const LabelVolume& labels, const MaskV
         inner = shallow_level(own, s);  // moves the surface alone: partial volumes refer to a whole voxel of void
     }
     sides.threshold = (sides.material_level + inner) / 2;
+    sides.full_threshold = (sides.material_level + sides.defect_level) / 2;
     return sides;
 }
 
@@ -265,10 +267,17 @@ void measure_by_values(const Volume& volume, const LabelVolume& labels, const Ma
     set_values(defect, sides);
     defect.threshold = sides.threshold;
     const double contrast = sides.material_level - sides.defect_level;
-    const Walk walk =
-        walk_surfaces(volume, labels, part, s, defect.id, defect.bbox_first, defect.bbox_last,
-                      {sides.threshold, sides.threshold - k_shift * contrast, sides.threshold + k_shift * contrast},
-                      sides.defect_level, sides.material_level, job);
+    std::vector<double> thresholds{sides.threshold, sides.threshold - k_shift * contrast,
+                                   sides.threshold + k_shift * contrast};
+    // Shallow by its size or only blurred at its edge? Where a scan keeps the 50 % level at the edge, the surface lies
+    // at the full contrast's half; a find too shallow to reach that level cannot be of this kind and has no surface
+    // there.
+    if (std::abs(sides.full_threshold - sides.threshold) > 1e-9 * std::abs(contrast)) {
+        thresholds.push_back(sides.full_threshold);
+        thresholds.push_back(sides.full_threshold - k_shift * contrast);
+    }
+    const Walk walk = walk_surfaces(volume, labels, part, s, defect.id, defect.bbox_first, defect.bbox_last, thresholds,
+                                    sides.defect_level, sides.material_level, job);
 
     std::array<double, 3> volume_mm3, area, diameter;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -298,6 +307,9 @@ void measure_by_values(const Volume& volume, const LabelVolume& labels, const Ma
         {volume_mm3[0], volume_mm3[1], volume_mm3[2], std::max(0.0, defect.integral_volume_mm3 - 2 * integral_noise),
          defect.integral_volume_mm3 + 2 * integral_noise},
         rounding);
+    for (std::size_t k = 3; k < walk.meshes.size(); ++k)
+        if (const double full = enclosed_volume_mm3(walk.meshes[k]); full > 0)
+            defect.volume_mm3.lo = std::min(defect.volume_mm3.lo, std::max(0.0, full - rounding));
     defect.equivalent_diameter_mm = {ball_diameter(defect.volume_mm3.value), ball_diameter(defect.volume_mm3.lo),
                                      ball_diameter(defect.volume_mm3.hi)};
     const double coarsest = std::max({geometry.spacing.x, geometry.spacing.y, geometry.spacing.z});
