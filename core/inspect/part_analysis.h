@@ -58,7 +58,9 @@ struct Defect {
     Measured diameter_mm;                    ///< of the circumscribed sphere
     Measured equivalent_diameter_mm;         ///< of the ball of equal volume
     glm::dvec3 principal_lengths_mm{0};      ///< longest first
-    Measured area_mm2;                       ///< of its surface: by marching cubes, or Crofton where values are binary
+    /// Of its surface: by marching cubes, or Crofton where values are binary. The upper end also holds what edges as
+    /// sharp as a box's have lost to the blur and to the chamfer of marching cubes.
+    Measured area_mm2;
     double surface_crofton_mm2 = 0, surface_mesh_mm2 = 0;
     double sphericity = 0, shape_factor = 0;
     Measured surface_distance_mm;      ///< to the part's outer surface

@@ -1,6 +1,7 @@
 #include "core/inspect/stability.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/inspect/void_scan.h"
@@ -22,14 +23,18 @@ bool is_steady(const std::vector<double>& counts, std::size_t first, std::size_t
     return *hi - middle <= std::max(k_steady * middle, 0.5);
 }
 
-/// Slopes of porosity between neighbouring points, per point's width, each the median of three: noise of the curve
-/// itself must not pass for its flattest place.
+/// Slopes of porosity between neighbouring points, per point's width, each the median of five: a slope is a count of
+/// the voxels between two thresholds, and the least of sixteen single ones would be a chance low, not the flattest
+/// place.
 std::vector<double> slopes_of(const std::vector<double>& porosity) {
     std::vector<double> raw, slopes;
     for (std::size_t k = 1; k < porosity.size(); ++k) raw.push_back(std::abs(porosity[k] - porosity[k - 1]));
-    for (std::size_t k = 0; k < raw.size(); ++k) {
-        double a = raw[k ? k - 1 : k], b = raw[k], c = raw[std::min(k + 1, raw.size() - 1)];
-        slopes.push_back(std::max(std::min(a, b), std::min(std::max(a, b), c)));
+    const int n = int(raw.size());
+    for (int k = 0; k < n; ++k) {
+        std::array<double, 5> near;
+        for (int i = 0; i < 5; ++i) near[std::size_t(i)] = raw[std::size_t(std::clamp(k + i - 2, 0, n - 1))];
+        std::nth_element(near.begin(), near.begin() + 2, near.end());
+        slopes.push_back(near[2]);
     }
     return slopes;
 }

@@ -30,6 +30,7 @@ void write_dicom_capture(glm::ivec2 size, std::span<const std::uint8_t> rgb, con
     put(DCM_SeriesNumber, "903");
     put(DCM_InstanceNumber, "1");
     put(DCM_PatientOrientation, "");
+    put(DCM_Laterality, "");
     put(DCM_Manufacturer, made.software);
     put(DCM_ManufacturerModelName, made.software);
     put(DCM_SoftwareVersions, made.version);

@@ -5,6 +5,8 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
 
+#include <set>
+
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/io/dicom_header.h"
@@ -15,7 +17,7 @@ namespace lacuna::dicom {
 
 namespace {
 
-/// Patient, clinical trial and study modules, frame of reference, and the component module of DICONDE's group 0014.
+/// Patient and study modules and frame of reference.
 const DcmTagKey k_context[] = {DCM_SpecificCharacterSet,
                                DCM_PatientName,
                                DCM_PatientID,
@@ -39,6 +41,22 @@ const DcmTagKey k_context[] = {DCM_SpecificCharacterSet,
 const DcmTagKey k_must_be_there[] = {DCM_PatientName,    DCM_PatientID, DCM_PatientBirthDate,       DCM_PatientSex,
                                      DCM_StudyDate,      DCM_StudyTime, DCM_ReferringPhysicianName, DCM_StudyID,
                                      DCM_AccessionNumber};
+
+/// Takes off what writers padded a value with (a zero byte, against PS3.5 6.2, or spaces) and leaves out what its VR
+/// does not allow: one such value would have the whole object refused.
+void repair(DcmDataset& set, const DcmTagKey& tag) {
+    DcmElement* element = nullptr;
+    if (set.findAndGetElement(tag, element).bad() || !element) return;
+    char* raw = nullptr;
+    Uint32 length = 0;
+    if (element->getString(raw, length).good() && raw != nullptr) {
+        std::string text(raw, length);
+        while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
+        element->putString(text.c_str(), Uint32(text.size()));
+    }
+    const bool many = tag == DCM_SpecificCharacterSet || tag == DCM_DeidentificationMethod;
+    if (element->checkValue(many ? "1-n" : "1", OFFalse).bad()) element->putString("", 0);
+}
 
 }  // namespace
 
@@ -73,7 +91,10 @@ void copy_context(const DicomSource& source, const DicomProvenance& made, DcmDat
                     "Cannot read " + file.filename().string() + " again, whose header the DICOM files written copy.");
     DcmDataset& set = *format.getDataset();
     for (const DcmTagKey& tag : k_context)
-        if (set.tagExists(tag)) set.findAndInsertCopyOfElement(tag, &into, OFTrue);
+        if (set.tagExists(tag)) {
+            set.findAndInsertCopyOfElement(tag, &into, OFTrue);
+            repair(into, tag);
+        }
     for (const DcmTagKey& tag : k_must_be_there)
         if (!into.tagExists(tag)) into.insertEmptyElement(tag);
     if (text_of(into, DCM_StudyInstanceUID).empty())
@@ -109,6 +130,23 @@ void fix_identity(const DicomProvenance& made, const std::string& what, const Dc
     for (const DcmTagKey& tag : {DCM_ContentDate, DCM_InstanceCreationDate, DCM_SeriesDate}) put(tag, date);
     for (const DcmTagKey& tag : {DCM_ContentTime, DCM_InstanceCreationTime, DCM_SeriesTime}) put(tag, time);
     set.findAndDeleteElement(DCM_TimezoneOffsetFromUTC);
+}
+
+void refer_to_source(const DicomSource& source, DcmDataset& set) {
+    DcmItem* series = nullptr;
+    if (source.series_uid.empty() || set.findOrCreateSequenceItem(DCM_ReferencedSeriesSequence, series, 0).bad())
+        return;
+    series->putAndInsertString(DCM_SeriesInstanceUID, source.series_uid.c_str());
+    std::set<std::string> named;  // a file of several frames stands once
+    for (const DicomSourceImage& image : source.images) {
+        if (image.sop_class_uid.empty() || image.sop_instance_uid.empty()) continue;
+        if (!named.insert(image.sop_instance_uid).second) continue;
+        DcmItem* item = nullptr;
+        if (series->findOrCreateSequenceItem(DCM_ReferencedInstanceSequence, item, -2).bad()) continue;
+        item->putAndInsertString(DCM_ReferencedSOPClassUID, image.sop_class_uid.c_str());
+        item->putAndInsertString(DCM_ReferencedSOPInstanceUID, image.sop_instance_uid.c_str());
+    }
+    if (named.empty()) set.findAndDeleteElement(DCM_ReferencedSeriesSequence);
 }
 
 void save_dataset(DcmDataset& set, const std::filesystem::path& target) {

@@ -52,6 +52,7 @@ public:
         }
         DcmDataset set;
         need(document_->writeDataset(set), "the whole");
+        refer_to_source(source_, set);
         fix_identity(made_, "seg", context_, set);
         save_dataset(set, target);
     }

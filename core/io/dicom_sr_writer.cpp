@@ -119,6 +119,8 @@ void write_dicom_report(const std::vector<DicomMeasurementGroup>& groups,
     need(document.readPatientData(context), "the source's patient");
     need(document.readStudyData(context), "the source's study");
     need(document.setTreeFromRootTemplate(report), "the content");
+    // The template brings its own type, Enhanced SR; what reads measurements asks for Comprehensive.
+    need(document.changeDocumentType(DSRTypes::DT_ComprehensiveSR), "the type");
     document.getCodingSchemeIdentification().addItem("99LACUNA");
     document.getCodingSchemeIdentification().setCodingSchemeName("Lacuna defect terms");
     need(document.setSeriesNumber("902"), "the series number");

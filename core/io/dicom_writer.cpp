@@ -96,7 +96,7 @@ void put_identity(DcmDataset& set, const Volume& volume, const SeriesIds& ids) {
     put(set, DCM_PatientID, "Anonymous");
     for (const DcmTagKey& empty : {DCM_StudyDate, DCM_StudyTime, DCM_AccessionNumber, DCM_ReferringPhysicianName,
                                    DCM_PatientBirthDate, DCM_PatientSex, DCM_StudyID, DCM_PositionReferenceIndicator,
-                                   DCM_KVP, DCM_AcquisitionNumber, DCM_PatientPosition})
+                                   DCM_KVP, DCM_AcquisitionNumber, DCM_PatientPosition, DCM_Laterality})
         set.insertEmptyElement(empty);
     put(set, DCM_Modality, "CT");
     put(set, DCM_Manufacturer, "Lacuna");

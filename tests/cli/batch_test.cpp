@@ -54,7 +54,7 @@ protected:
         fs::create_directory(path("parts"));
         std::ofstream(path("c.json")) << R"({"limits": {"porosity_percent": 1, "defect_diameter_mm": 1.2}})";
     }
-    /// `count` parts; each thirteenth is corrupt in its own way.
+    /// `count` parts; three of them are corrupt, each in its own way.
     void make_parts(unsigned count, bool with_corrupt = true) {
         for (unsigned i = 0; i < count; ++i) {
             char name[16];
@@ -63,8 +63,8 @@ protected:
             write_part(stem, i);
             if (!with_corrupt) continue;
             if (i == 5) fs::resize_file(stem.string() + ".raw", 5000);
-            if (i == 18) fs::remove(stem.string() + ".raw");
-            if (i == 31) std::ofstream(stem.string() + ".mhd") << "no header at all";
+            if (i == 11) fs::remove(stem.string() + ".raw");
+            if (i == 18) std::ofstream(stem.string() + ".mhd") << "no header at all";
         }
     }
     std::vector<std::string> words(const std::string& to, std::vector<std::string> more = {}) const {
@@ -76,7 +76,7 @@ protected:
 };
 
 TEST_F(Series, KilledFiveTimesAndResumedEndsWithTheSameSummary) {
-    make_parts(40);
+    make_parts(20);
     const Outcome undisturbed = lacuna(words("whole", {"--jobs", "2"}));
     ASSERT_EQ(undisturbed.status, 3) << undisturbed.err;
     std::mt19937 random(20240613);
@@ -92,7 +92,7 @@ TEST_F(Series, KilledFiveTimesAndResumedEndsWithTheSameSummary) {
     const Outcome last = lacuna(words("torn", {"--jobs", "1", "--resume"}));
     EXPECT_EQ(last.status, 3) << last.err;
     const std::string csv = bytes_of(folder_ / "whole/summary.csv");
-    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 41);
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 21);
     EXPECT_EQ(bytes_of(folder_ / "torn/summary.csv"), csv);
     EXPECT_EQ(bytes_of(folder_ / "torn/summary.html"), bytes_of(folder_ / "whole/summary.html"));
     // Every part but the broken ones has its report, and nothing half-made stands beside them.
@@ -104,8 +104,8 @@ TEST_F(Series, KilledFiveTimesAndResumedEndsWithTheSameSummary) {
         EXPECT_EQ(bytes_of(entry.path() / "report.json"),
                   bytes_of(folder_ / "whole" / entry.path().filename() / "report.json"));
     }
-    EXPECT_EQ(reports, 37);
-    for (const char* broken : {"part05", "part18", "part31"})
+    EXPECT_EQ(reports, 17);
+    for (const char* broken : {"part05", "part11", "part18"})
         EXPECT_NE(csv.find(std::string(broken) + "," + broken + ".mhd,broken,"), std::string::npos) << broken;
 }
 
@@ -173,9 +173,9 @@ TEST_F(Series, AListNamesPartsAndAFullDiskStopsTheSeriesWhole) {
         << "# two parts and a sample\nparts/part00.mhd\n\nparts/part02.mhd\r\nsample:casting@32\n";
     const std::vector<std::string> listed{"batch",   path("list.txt"), "--criteria", path("c.json"), "--report",
                                           path("r"), "--worst",        "0",          "--resume"};
-    Surroundings full;
+    Surroundings full = without_opencl(folder_);
     full.file_size_limit = 9000;
-    expect_failure(lacuna(listed, full), 1, "Cannot write");
+    expect_no_room(lacuna(listed, full));
     const Outcome outcome = lacuna(listed);
     EXPECT_EQ(outcome.error_lines(), 0) << outcome.err;
     const std::string csv = bytes_of(folder_ / "r/summary.csv");

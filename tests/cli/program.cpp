@@ -86,6 +86,12 @@ Outcome lacuna(const std::vector<std::string>& words, const Surroundings& surrou
     return outcome;
 }
 
+Surroundings without_opencl(const fs::path& folder) {
+    Surroundings without;
+    without.environment = {{"OCL_ICD_VENDORS", folder.string()}};
+    return without;
+}
+
 ProgramTest::ProgramTest() {
     std::string pattern = (fs::temp_directory_path() / "lacuna-cli-XXXXXX").string();
     if (!::mkdtemp(pattern.data())) throw std::runtime_error("no temporary folder");
@@ -110,6 +116,14 @@ void expect_failure(const Outcome& outcome, int status, const std::string& part)
     EXPECT_TRUE(outcome.err.starts_with("lacuna: ")) << outcome.err;
     EXPECT_EQ(outcome.error_lines(), 1) << outcome.err;
     EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+}
+
+void expect_no_room(const Outcome& outcome) {
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    const std::size_t last =
+        outcome.err.size() < 2 ? std::string::npos : outcome.err.rfind('\n', outcome.err.size() - 2);
+    const std::string line = outcome.err.substr(last == std::string::npos ? 0 : last + 1);
+    EXPECT_TRUE(line.starts_with("lacuna: Cannot write ")) << outcome.err;
 }
 
 }  // namespace lacuna::test

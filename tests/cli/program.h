@@ -31,6 +31,10 @@ struct Surroundings {
 /// Starts `lacuna` with these words and waits for its end.
 Outcome lacuna(const std::vector<std::string>& words, const Surroundings& surroundings = {});
 
+/// No OpenCL: its compiler ends the whole process where a file of its cache finds no room, before ours can say so.
+/// @param folder  any without descriptions of OpenCL platforms
+Surroundings without_opencl(const std::filesystem::path& folder);
+
 /// A folder of its own for each test, gone afterwards.
 class ProgramTest : public ::testing::Test {
 protected:
@@ -44,5 +48,8 @@ protected:
 
 /// Asserts the exit status and that standard error is one line that starts with "lacuna: " and holds `part`.
 void expect_failure(const Outcome& outcome, int status, const std::string& part);
+
+/// Exit status 1, and "lacuna: Cannot write ..." as the last line.
+void expect_no_room(const Outcome& outcome);
 
 }  // namespace lacuna::test
