@@ -48,6 +48,7 @@ struct Defect {
     std::int64_t voxels = 0;
     /// Sub-voxel: inside the surface at `threshold`. The interval spans that volume at thresholds +-10 % of the
     /// contrast away, the grey-value integral (what a blurred defect had before the blur) and the grid's rounding.
+    /// Where the defect is small against the blur and so shallow, also the volume inside half of the full contrast.
     Measured volume_mm3;
     double voxel_volume_mm3 = 0;     ///< voxels times the volume of one
     double integral_volume_mm3 = 0;  ///< grey-value integration over the boundary layer: partial volumes summed
