@@ -72,7 +72,7 @@ Table defects_table(const InspectionReport& report) {
                  {"Probability", 46, true},
                  {"Cavities, tunnels", 44},
                  {"Zones", 50},
-                 {"Flags", 60}},
+                 {"Flags", 92}},
                 {},
                 true};
     for (const std::uint32_t id : worst_first(report.analysis, report.judgement)) {
@@ -171,7 +171,8 @@ void add_pictures(const InspectionReport& report, ReportDocument& document) {
         document.blocks.push_back(std::move(charts));
     }
     if (report.worst.empty()) return;
-    document.blocks.push_back(Heading{fmt::format("The {} worst defects", report.worst.size())});
+    document.blocks.push_back(Heading{
+        report.worst.size() == 1 ? "The worst defect" : fmt::format("The {} worst defects", report.worst.size())});
     for (const DefectPictures& pair : report.worst) {
         const Defect& d = report.analysis.defects[pair.defect - 1];
         const DefectJudgement& judged = report.judgement.defects[pair.defect - 1];

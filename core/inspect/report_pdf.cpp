@@ -39,7 +39,27 @@ private:
         page_ = 0;
         start_page();
         y_ += paragraph(document_.title, k_title) + 8;
-        for (const Block& block : document_.blocks) std::visit([this](const auto& b) { add(b); }, block);
+        for (std::size_t i = 0; i < document_.blocks.size(); ++i) {
+            if (const double kept = height_to_keep(i); kept > 0) need(kept);
+            std::visit([this](const auto& b) { add(b); }, document_.blocks[i]);
+        }
+    }
+
+    /// Height of the pictures at block i with the paragraph and the heading that lead to them; 0 where there are none.
+    double height_to_keep(std::size_t i) const {
+        double height = 0;
+        for (; i < document_.blocks.size(); ++i) {
+            const Block& block = document_.blocks[i];
+            if (const auto* row = std::get_if<PictureRow>(&block))
+                return row->pictures.empty() ? 0 : height + heights_of(*row).x + heights_of(*row).y + 8;
+            if (const auto* text = std::get_if<Paragraph>(&block); text && !text->code)
+                height += canvas_.measure(valid_utf8(text->text), k_text, width()).y + 4;
+            else if (const auto* heading = std::get_if<Heading>(&block))
+                height += canvas_.measure(valid_utf8(heading->text), k_heading, width()).y + 15;
+            else
+                return 0;
+        }
+        return 0;
     }
 
     void start_page() {
@@ -216,27 +236,44 @@ private:
         y_ += height;
     }
 
-    void add(const PictureRow& row) {
-        if (row.pictures.empty()) return;
-        constexpr double k_gap = 14, k_most = 250;
-        const double share = (width() - k_gap * double(row.pictures.size() - 1)) / double(row.pictures.size());
-        double height = 0, caption = 0;
-        const auto box_width = [&](const ReportPicture& p) { return std::min(share, k_most * p.size.x / p.size.y); };
+    static constexpr double k_picture_gap = 14;
+
+    static double picture_share(const PictureRow& row) {
+        return (width() - k_picture_gap * double(row.pictures.size() - 1)) / double(row.pictures.size());
+    }
+
+    static double picture_width(const ReportPicture& p, double share) {
+        constexpr double k_most = 250;
+        return std::min(share, k_most * p.size.x / p.size.y);
+    }
+
+    /// Of the tallest picture, and of the longest caption.
+    glm::dvec2 heights_of(const PictureRow& row) const {
+        const double share = picture_share(row);
+        glm::dvec2 heights(0);
         for (const ReportPicture& p : row.pictures) {
             if (p.rgb.empty()) continue;
-            height = std::max(height, box_width(p) * p.size.y / p.size.x);
-            caption = std::max(caption, canvas_.measure(valid_utf8(p.caption), k_small, share).y);
+            heights.x = std::max(heights.x, picture_width(p, share) * p.size.y / p.size.x);
+            heights.y = std::max(heights.y, canvas_.measure(valid_utf8(p.caption), k_small, share).y);
         }
+        return heights;
+    }
+
+    void add(const PictureRow& row) {
+        if (row.pictures.empty()) return;
+        const double share = picture_share(row);
+        const glm::dvec2 heights = heights_of(row);
+        const double height = heights.x, caption = heights.y;
         need(height + caption + 8);
         double x = k_margin;
         for (const ReportPicture& p : row.pictures) {
             if (drawing_ && !p.rgb.empty()) {
-                const double w = box_width(p), h = w * p.size.y / p.size.x;
+                const double w = picture_width(p, share), h = w * p.size.y / p.size.x;
                 canvas_.image(p.size, p.rgb, {x, y_, w, h});
                 canvas_.frame({x, y_, w, h}, {glm::dvec3(0.8), 0.5});
                 canvas_.paragraph(valid_utf8(p.caption), {x, y_ + height + 3}, share, k_small);
             }
-            x += share + k_gap;
+            x += share + k_picture_gap;
         }
         y_ += height + caption + 10;
     }

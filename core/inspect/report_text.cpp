@@ -28,6 +28,19 @@ std::string csv_field(std::string_view text) {
     return result + '"';
 }
 
+/// "name" -> "Component name"; DICOM's "MaterialGrade" -> "Component material grade", "ComponentShape" -> "Component
+/// shape".
+static std::string component_label(std::string_view name) {
+    if (name.starts_with("Component")) name.remove_prefix(9);
+    std::string label = "Component";
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const bool starts_word = name[i] >= 'A' && name[i] <= 'Z';
+        if (starts_word || i == 0) label += ' ';
+        label += starts_word ? char(name[i] - 'A' + 'a') : name[i];
+    }
+    return label;
+}
+
 std::vector<Fact> scan_facts(const InspectionReport& report) {
     const ScanFacts& scan = report.scan;
     const GridGeometry& g = scan.geometry;
@@ -42,7 +55,7 @@ std::vector<Fact> scan_facts(const InspectionReport& report) {
     if (scan.dicom) {
         const DicomFacts& dicom = *scan.dicom;
         for (const auto& [name, value] : dicom.component)
-            if (!value.empty()) facts.push_back({"Component " + name, value});
+            if (!value.empty()) facts.push_back({component_label(name), value});
         facts.push_back({"Modality", dicom.modality});
         if (!dicom.description.empty()) facts.push_back({"Series", dicom.description});
         facts.push_back({"Series UID", dicom.series_uid});
