@@ -14,25 +14,6 @@ std::uint32_t pack_color(const glm::dvec3& c) {
     return level(c.r, 2047) | level(c.g, 2047) << 11 | level(c.b, 1023) << 22;
 }
 
-/// Entries a row: the fewest that give every slope of the functions 64, because what stays in the first cache is read
-/// fastest; the most where a function jumps.
-int entries_for(const Classification& classification, VoxelType type) {
-    constexpr int k_fewest = 4096, k_most = 16384, k_slope = 64;
-    if (size_of(type) == 1) return k_fewest;
-    double narrowest = 1;  // share of a function's width
-    const auto look_at = [&](const TransferFunction& tf) {
-        const double width = tf.points.back().value - tf.points.front().value;
-        for (std::size_t i = 1; i < tf.points.size(); ++i)
-            narrowest = std::min(narrowest, (tf.points[i].value - tf.points[i - 1].value) / std::max(width, 1e-300));
-    };
-    look_at(classification.tf);
-    for (const SegmentationRange& r : classification.ranges)
-        if (r.tf) look_at(*r.tf);
-    int entries = k_fewest;
-    while (entries < k_most && !(entries * narrowest >= k_slope)) entries *= 2;
-    return entries;
-}
-
 void add_row(TransferTables& tables, const TransferFunction& tf, double step_mm) {
     const double lo = tf.points.front().value, hi = tf.points.back().value;
     const double width = hi > lo ? hi - lo : 1.0;
@@ -59,7 +40,8 @@ void add_row(TransferTables& tables, const TransferFunction& tf, double step_mm)
 TransferTables make_transfer_tables(const Classification& classification, VoxelType type, double step_mm,
                                     const std::vector<TransferFunction>& of_regions) {
     TransferTables tables;
-    tables.entries = entries_for(classification, type);
+    // Fine enough that rounding to an entry stays below half a value for 8 bits, about a value for 16.
+    tables.entries = size_of(type) == 1 ? 4096 : 16384;
     tables.uses_gradient = !classification.tf.gradient_opacity.empty();
     for (const SegmentationRange& r : classification.ranges)
         tables.uses_gradient = tables.uses_gradient || (r.tf && !r.tf->gradient_opacity.empty());

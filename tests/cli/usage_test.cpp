@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadWord{"--memory-limit", "lots"}, BadWord{"--leaping", "jump"}, BadWord{"--leap-values", "hedges"},
         BadWord{"--leap-values", "groups,2,0.5"}, BadWord{"--leap-quantise", "5,1"}, BadWord{"--leap-min-voxels", "0"},
         BadWord{"--regions", "some"}, BadWord{"--range-width", "1.5"}, BadWord{"--region-tf", "1"},
-        BadWord{"--region-tf", "0:preset:bone"}));
+        BadWord{"--region-tf", "5:preset:rainbow"}));
 
 class BadRegionWords : public ProgramTest, public ::testing::WithParamInterface<BadWord> {};
 
