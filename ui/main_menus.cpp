@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QBuffer>
 #include <QFileDialog>
-#include <QMenuBar>
 #include <QMessageBox>
 
 #include "core/base/atomic_file.h"
@@ -12,17 +11,7 @@
 
 namespace lacuna::ui {
 
-namespace {
-
-template <class Context, class Slot>
-QAction* add(QMenu* menu, const QString& text, const QKeySequence& key, Context* context, Slot&& slot) {
-    QAction* action = menu->addAction(text);
-    action->setShortcut(key);
-    QObject::connect(action, &QAction::triggered, context, std::forward<Slot>(slot));
-    return action;
-}
-
-}  // namespace
+using Menu = Workbench::Menu;
 
 void MainWindow::buildMenus() {
     buildFileMenu();
@@ -30,40 +19,42 @@ void MainWindow::buildMenus() {
     buildViewMenu();
     buildGoMenu();
     buildToolsMenu();
-    QMenu* help = menuBar()->addMenu(tr("&Help"));
-    add(help, tr("&Mouse and keys"), QKeySequence(Qt::Key_F1), this, &MainWindow::showControls);
-    add(help, tr("&About Lacuna"), {}, this, &MainWindow::showAbout);
-    for (QAction* action : needs_document_) action->setEnabled(false);
-    connect(status_, &StatusLine::cancelRequested, this, &MainWindow::cancelShown);
+}
+
+/// What closes the menus, behind what the features added.
+void MainWindow::finishMenus() {
+    QMenu* file = bench_->menu(Menu::file);
+    file->addSeparator();
+    bench_->addAlways(file, tr("&Quit"), QKeySequence(QStringLiteral("Ctrl+Q")), this, &QWidget::close);
+    QMenu* help = bench_->menu(Menu::help);
+    bench_->addAlways(help, tr("&Mouse and keys"), QKeySequence(Qt::Key_F1), this, &MainWindow::showControls);
+    bench_->addAlways(help, tr("&About Lacuna"), {}, this, &MainWindow::showAbout);
 }
 
 void MainWindow::buildFileMenu() {
-    QMenu* file = menuBar()->addMenu(tr("&File"));
-    add(file, tr("Open &folder…"), QKeySequence(QStringLiteral("Ctrl+Shift+O")), this, &MainWindow::openFolder);
-    add(file, tr("&Open file…"), QKeySequence::Open, this, &MainWindow::openFile);
+    QMenu* file = bench_->menu(Menu::file);
+    bench_->addAlways(file, tr("Open &folder…"), QKeySequence(QStringLiteral("Ctrl+Shift+O")), this,
+                      &MainWindow::openFolder);
+    bench_->addAlways(file, tr("&Open file…"), QKeySequence::Open, this, &MainWindow::openFile);
     QMenu* samples = file->addMenu(tr("Open &sample"));
     int number = 0;
     for (const std::string_view name : sample_names()) {
         const QString text = QString::fromUtf8(name.data(), qsizetype(name.size()));
         ++number;
-        add(samples, QStringLiteral("&%1  %2").arg(number).arg(text),
-            QKeySequence(QStringLiteral("Ctrl+Alt+%1").arg(number)), this,
-            [this, text] { openInput(QStringLiteral("sample:") + text); });
+        bench_->addAlways(samples, QStringLiteral("&%1  %2").arg(number).arg(text),
+                          QKeySequence(QStringLiteral("Ctrl+Alt+%1").arg(number)), this,
+                          [this, text] { openInput(QStringLiteral("sample:") + text); });
     }
     file->addSeparator();
-    needs_document_ << add(file, tr("&Save the 3D picture…"), QKeySequence::Save, this, &MainWindow::savePicture);
-    needs_document_ << add(file, tr("&Export the region table…"), QKeySequence(QStringLiteral("Ctrl+E")), this,
-                           &MainWindow::exportRegions);
-    file->addSeparator();
-    add(file, tr("&Quit"), QKeySequence(QStringLiteral("Ctrl+Q")), this, &QWidget::close);
+    bench_->add(file, tr("&Save the 3D picture…"), QKeySequence::Save, this, &MainWindow::savePicture);
 }
 
 void MainWindow::buildEditMenu() {
-    QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-    QAction* undo =
-        add(edit, tr("&Undo"), QKeySequence(QStringLiteral("Ctrl+Z")), documents_, &DocumentController::undo);
-    QAction* redo =
-        add(edit, tr("&Redo"), QKeySequence(QStringLiteral("Ctrl+Shift+Z")), documents_, &DocumentController::redo);
+    QMenu* edit = bench_->menu(Menu::edit);
+    QAction* undo = bench_->addAlways(edit, tr("&Undo"), QKeySequence(QStringLiteral("Ctrl+Z")), documents_,
+                                      &DocumentController::undo);
+    QAction* redo = bench_->addAlways(edit, tr("&Redo"), QKeySequence(QStringLiteral("Ctrl+Shift+Z")), documents_,
+                                      &DocumentController::redo);
     const auto show = [this, undo, redo] {
         const EditHistory& history = documents_->history();
         undo->setEnabled(history.can_undo());
@@ -78,18 +69,18 @@ void MainWindow::buildEditMenu() {
 }
 
 void MainWindow::buildViewMenu() {
-    QMenu* view = menuBar()->addMenu(tr("&View"));
+    QMenu* view = bench_->menu(Menu::view);
     QMenu* modes = view->addMenu(tr("View &mode"));
     modes_ = new QActionGroup(this);
     for (std::size_t i = 0; i < mode_names().size(); ++i) {
-        QAction* action = add(modes, mode_names()[i].name, QKeySequence(QString::number(i + 1)), this, [this, i] {
-            ViewSettings next = documents_->document().settings;
-            next.mode = mode_names()[i].mode;
-            documents_->edit(tr("View mode"), next);
-        });
+        QAction* action =
+            bench_->add(modes, mode_names()[i].name, QKeySequence(QString::number(i + 1)), this, [this, i] {
+                ViewSettings next = documents_->document().settings;
+                next.mode = mode_names()[i].mode;
+                documents_->edit(tr("View mode"), next);
+            });
         action->setCheckable(true);
         modes_->addAction(action);
-        needs_document_ << action;
     }
     QMenu* sides = view->addMenu(tr("&Look from"));
     const std::pair<char, QString> names[] = {{'A', tr("Front (anterior)")},
@@ -99,26 +90,26 @@ void MainWindow::buildViewMenu() {
                                               {'H', tr("Head")},
                                               {'F', tr("Feet")}};
     for (const auto& [side, name] : names)
-        needs_document_ << add(sides, name, QKeySequence(QString(QLatin1Char(side))), this,
-                               [this, side = side] { views_->volumeView()->lookFrom(side); });
-    needs_document_ << add(view, tr("&Reset the 3D view"), QKeySequence(QStringLiteral("0")), views_->volumeView(),
-                           &VolumeView::resetCamera);
-    needs_document_ << add(view, tr("Reset the &slices"), QKeySequence(QStringLiteral("Shift+0")), this, [this] {
+        bench_->add(sides, name, QKeySequence(QString(QLatin1Char(side))), this,
+                    [this, side = side] { views_->volumeView()->lookFrom(side); });
+    bench_->add(view, tr("&Reset the 3D view"), QKeySequence(QStringLiteral("0")), views_->volumeView(),
+                &VolumeView::resetCamera);
+    bench_->add(view, tr("Reset the &slices"), QKeySequence(QStringLiteral("Shift+0")), this, [this] {
         for (SliceView* slice : views_->slices()) slice->resetView();
     });
-    QAction* perspective = add(view, tr("&Perspective"), QKeySequence(QStringLiteral("Ctrl+P")), this, [this](bool on) {
-        Camera camera = documents_->document().camera;
-        camera.fov_deg = on ? std::optional<double>(30) : std::nullopt;
-        documents_->setCamera(camera);
-    });
+    QAction* perspective =
+        bench_->add(view, tr("&Perspective"), QKeySequence(QStringLiteral("Ctrl+P")), this, [this](bool on) {
+            Camera camera = documents_->document().camera;
+            camera.fov_deg = on ? std::optional<double>(30) : std::nullopt;
+            documents_->setCamera(camera);
+        });
     perspective->setCheckable(true);
     connect(documents_, &DocumentController::opened, perspective, [perspective] { perspective->setChecked(false); });
-    needs_document_ << perspective;
     view->addSeparator();
-    needs_document_ << add(view, tr("Ma&ximise the view, or show all four"), QKeySequence(QStringLiteral("M")), views_,
-                           &FourUp::toggleFocused);
-    QAction* full = add(view, tr("&Full screen"), QKeySequence(QStringLiteral("F11")), this,
-                        [this](bool on) { on ? showFullScreen() : showNormal(); });
+    bench_->add(view, tr("Ma&ximise the view, or show all four"), QKeySequence(QStringLiteral("M")), views_,
+                &FourUp::toggleFocused);
+    QAction* full = bench_->addAlways(view, tr("&Full screen"), QKeySequence(QStringLiteral("F11")), this,
+                                      [this](bool on) { on ? showFullScreen() : showNormal(); });
     full->setCheckable(true);
 }
 
@@ -128,36 +119,32 @@ void MainWindow::focusTab(int tab, QWidget* widget) {
 }
 
 void MainWindow::buildGoMenu() {
-    QMenu* go = menuBar()->addMenu(tr("&Go"));
+    QMenu* go = bench_->menu(Menu::go);
     const auto key = [](int digit) { return QKeySequence(QStringLiteral("Ctrl+%1").arg(digit)); };
     const auto to = [](QWidget* widget) { return [widget] { widget->setFocus(Qt::TabFocusReason); }; };
-    add(go, tr("&3D view"), key(1), this, to(views_->volumeView()));
-    add(go, tr("&Axial slice"), key(2), this, to(views_->slice(SliceKind::axial)));
-    add(go, tr("&Coronal slice"), key(3), this, to(views_->slice(SliceKind::coronal)));
-    add(go, tr("&Sagittal slice"), key(4), this, to(views_->slice(SliceKind::sagittal)));
-    add(go, tr("View &mode"), key(5), this, to(render_panel_->modeBox()));
-    add(go, tr("C&olours"), key(6), this, [this] { focusTab(0, transfer_panel_->plot()); });
-    add(go, tr("&Ranges"), key(7), this, [this] { focusTab(1, ranges_panel_->addButton()); });
-    add(go, tr("C&uts"), key(8), this, [this] { focusTab(2, cuts_panel_->addButton()); });
-    add(go, tr("&Grey levels"), key(9), this, [this] { focusTab(3, slices_panel_->presetBox()); });
-    add(go, tr("Region &table"), key(0), this, to(regions_panel_->table()));
-    needs_document_ << go->actions();
+    bench_->add(go, tr("&3D view"), key(1), this, to(views_->volumeView()));
+    bench_->add(go, tr("&Axial slice"), key(2), this, to(views_->slice(SliceKind::axial)));
+    bench_->add(go, tr("&Coronal slice"), key(3), this, to(views_->slice(SliceKind::coronal)));
+    bench_->add(go, tr("&Sagittal slice"), key(4), this, to(views_->slice(SliceKind::sagittal)));
+    bench_->add(go, tr("View &mode"), key(5), this, to(render_panel_->modeBox()));
+    bench_->add(go, tr("C&olours"), key(6), this, [this] { focusTab(0, transfer_panel_->plot()); });
+    bench_->add(go, tr("&Ranges"), key(7), this, [this] { focusTab(1, ranges_panel_->addButton()); });
+    bench_->add(go, tr("C&uts"), key(8), this, [this] { focusTab(2, cuts_panel_->addButton()); });
+    bench_->add(go, tr("&Grey levels"), key(9), this, [this] { focusTab(3, slices_panel_->presetBox()); });
+    bench_->add(go, tr("Region &table"), key(0), this,
+                [this] { regions_->panel()->table()->setFocus(Qt::TabFocusReason); });
 }
 
 void MainWindow::buildToolsMenu() {
-    QMenu* tools = menuBar()->addMenu(tr("&Tools"));
-    QAction* range =
-        add(tools, tr("Add a segmentation &range"), QKeySequence(QStringLiteral("Ctrl+Alt+R")), this, [this] {
-            tabs_->setCurrentWidget(ranges_panel_);
-            ranges_panel_->addRange();
-        });
-    QAction* cut = add(tools, tr("Add a &cutting plane"), QKeySequence(QStringLiteral("Ctrl+Alt+X")), this, [this] {
+    QMenu* tools = bench_->menu(Menu::tools);
+    bench_->add(tools, tr("Add a segmentation &range"), QKeySequence(QStringLiteral("Ctrl+Alt+R")), this, [this] {
+        tabs_->setCurrentWidget(ranges_panel_);
+        ranges_panel_->addRange();
+    });
+    bench_->add(tools, tr("Add a &cutting plane"), QKeySequence(QStringLiteral("Ctrl+Alt+X")), this, [this] {
         tabs_->setCurrentWidget(cuts_panel_);
         cuts_panel_->addCut();
     });
-    QAction* regions = add(tools, tr("Compute re&gions"), QKeySequence(QStringLiteral("Ctrl+R")), this,
-                           [this] { regions_->compute(documents_->document().volume, regions_panel_->options()); });
-    needs_document_ << range << cut << regions;
 }
 
 void MainWindow::openFolder() {
@@ -183,21 +170,6 @@ void MainWindow::savePicture() {
     views_->volumeView()->grab().save(&buffer, "PNG");
     try {
         write_file(file.toStdString(), std::string_view(bytes.constData(), std::size_t(bytes.size())));
-    } catch (const Error& error) {
-        messages_->showError(QString::fromStdString(error.what()));
-    }
-}
-
-void MainWindow::exportRegions() {
-    if (!documents_->hasDocument() || !documents_->document().regions) {
-        messages_->showNotice(tr("There is no region table yet; compute the regions first."));
-        return;
-    }
-    const QString file = QFileDialog::getSaveFileName(this, tr("Export the region table"),
-                                                      QStringLiteral("regions.csv"), tr("Tables (*.csv)"));
-    if (file.isEmpty()) return;
-    try {
-        write_file(file.toStdString(), regions_to_csv(*documents_->document().regions));
     } catch (const Error& error) {
         messages_->showError(QString::fromStdString(error.what()));
     }

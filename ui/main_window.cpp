@@ -2,7 +2,6 @@
 
 #include <QActionGroup>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QMimeData>
 #include <QScrollArea>
@@ -15,16 +14,15 @@ namespace lacuna::ui {
 
 MainWindow::MainWindow(EngineFactory make_engine, QWidget* parent)
     : QMainWindow(parent),
-      documents_(new DocumentController(this)),
-      loader_(new LoadController(this)),
-      regions_(new RegionController(this)),
-      inspections_(new InspectionController(this)),
-      scheduler_(new FrameScheduler(this)),
       stack_(new QStackedWidget(this)),
       welcome_(new WelcomePage(this)),
       views_(new FourUp(this)),
       messages_(new MessageBar(this)),
-      status_(new StatusLine(this)),
+      bench_(new Workbench(this, views_, messages_)),
+      documents_(bench_->documents()),
+      loader_(bench_->loader()),
+      scheduler_(bench_->scheduler()),
+      status_(new StatusLine(bench_->tasks(), this)),
       tabs_(new QTabWidget(this)),
       render_panel_(new RenderPanel(this)),
       transfer_panel_(new TransferPanel(this)),
@@ -32,11 +30,8 @@ MainWindow::MainWindow(EngineFactory make_engine, QWidget* parent)
       cuts_panel_(new CutsPanel(this)),
       slices_panel_(new SlicesPanel(this)),
       effects_panel_(new EffectsPanel(this)),
-      regions_panel_(new RegionsPanel(this)),
-      inspection_panel_(new InspectionPanel(this)),
       side_(new QWidget(this)),
-      engine_job_(this),
-      report_job_(this) {
+      engine_job_(this) {
     setWindowTitle(tr("Lacuna"));
     setAcceptDrops(true);
     resize(1480, 940);
@@ -47,9 +42,9 @@ MainWindow::MainWindow(EngineFactory make_engine, QWidget* parent)
     connectLoading();
     connectViews();
     connectPanels();
-    connectRegions();
-    connectInspection();
     connectRendering();
+    buildFeatures();
+    finishMenus();
     startEngine(std::move(make_engine));
 }
 
@@ -79,30 +74,20 @@ void MainWindow::buildDocks() {
     tabs_->addTab(cuts_panel_, tr("Cuts"));
     tabs_->addTab(slices_panel_, tr("Grey levels"));
     tabs_->addTab(effects_panel_, tr("Effects"));
-    auto* scene = new QDockWidget(tr("Scene"), this);
-    scene->setObjectName(QStringLiteral("scene"));
-    scene->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
-    scene->setWidget(side_);
     side_->setMinimumWidth(320);
-    addDockWidget(Qt::RightDockWidgetArea, scene);
-    auto* table = new QDockWidget(tr("Regions"), this);
-    table->setObjectName(QStringLiteral("regions"));
-    table->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
-    table->setWidget(regions_panel_);
-    addDockWidget(Qt::BottomDockWidgetArea, table);
-    inspection_dock_ = new QDockWidget(tr("Inspection"), this);
-    inspection_dock_->setObjectName(QStringLiteral("inspection"));
-    inspection_dock_->setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
-    inspection_dock_->setWidget(inspection_panel_);
-    addDockWidget(Qt::BottomDockWidgetArea, inspection_dock_);
-    tabifyDockWidget(table, inspection_dock_);
-    table->raise();
+    bench_->needDocument(side_);
+    QDockWidget* scene = bench_->addDock(QStringLiteral("scene"), tr("Scene"), side_, Qt::RightDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     resizeDocks({scene}, {370}, Qt::Horizontal);
-    resizeDocks({table}, {190}, Qt::Vertical);
-    side_->setEnabled(false);
-    regions_panel_->setEnabled(false);
-    inspection_panel_->setEnabled(false);
+}
+
+/// One line a feature; the order is that of their entries in the menus.
+void MainWindow::buildFeatures() {
+    regions_ = new RegionsFeature(*bench_);
+    inspection_ = new InspectionFeature(*bench_);
+    tabifyDockWidget(regions_->dock(), inspection_->dock());
+    regions_->dock()->raise();
+    resizeDocks({regions_->dock()}, {190}, Qt::Vertical);
 }
 
 void MainWindow::startEngine(EngineFactory make_engine) {
@@ -116,8 +101,7 @@ void MainWindow::startEngine(EngineFactory make_engine) {
             engine = std::get<0>(outcome);
         }
         status_->showDevice(QString::fromStdString(engine->device_name()));
-        engine_ = engine;
-        scheduler_->setEngine(std::move(engine));
+        bench_->setEngine(std::move(engine));
     });
 }
 
@@ -129,17 +113,12 @@ void MainWindow::connectLoading() {
     connect(welcome_, &WelcomePage::sampleRequested, this, &MainWindow::openInput);
     connect(loader_, &LoadController::started, this, [this] {
         messages_->hide();
-        load_share_ = 0;
-        updateProgress();
+        bench_->tasks()->end(load_task_);
+        load_task_ = bench_->tasks()->begin(tr("Opening"), [this] { loader_->cancel(); });
     });
-    connect(loader_, &LoadController::progressed, this, [this](double share) {
-        load_share_ = share;
-        updateProgress();
-    });
-    connect(loader_, &LoadController::finished, this, [this] {
-        load_share_ = -1;
-        updateProgress();
-    });
+    connect(loader_, &LoadController::progressed, this,
+            [this](double share) { bench_->tasks()->progress(load_task_, share); });
+    connect(loader_, &LoadController::finished, this, [this] { bench_->tasks()->end(load_task_); });
     connect(loader_, &LoadController::failed, messages_, &MessageBar::showError);
     connect(loader_, &LoadController::cancelled, this, [this] { messages_->showNotice(tr("Opening was cancelled.")); });
     connect(loader_, &LoadController::loaded, documents_, &DocumentController::open);
@@ -180,6 +159,7 @@ void MainWindow::connectViews() {
         showSettings();
         renderScene();
     });
+    connect(documents_, &DocumentController::selectionChanged, this, &MainWindow::showSelection);
 }
 
 void MainWindow::connectPanels() {
@@ -209,55 +189,21 @@ void MainWindow::connectPanels() {
     connect(ranges_panel_, &RangesPanel::failed, messages_, &MessageBar::showError);
 }
 
-void MainWindow::connectRegions() {
-    connect(regions_panel_, &RegionsPanel::computeRequested, this, [this](const RegionOptions& options) {
-        if (documents_->hasDocument()) regions_->compute(documents_->document().volume, options);
-    });
-    connect(regions_panel_, &RegionsPanel::exportRequested, this, &MainWindow::exportRegions);
-    connect(regions_panel_, &RegionsPanel::regionChosen, this, &MainWindow::chooseRegion);
-    connect(regions_, &RegionController::started, this, [this] {
-        regions_panel_->setRunning(true);
-        regions_share_ = 0;
-        updateProgress();
-    });
-    connect(regions_, &RegionController::progressed, this, [this](double share) {
-        regions_share_ = share;
-        updateProgress();
-    });
-    connect(regions_, &RegionController::finished, this, [this] {
-        regions_panel_->setRunning(false);
-        regions_share_ = -1;
-        updateProgress();
-    });
-    connect(regions_, &RegionController::failed, messages_, &MessageBar::showError);
-    connect(regions_, &RegionController::computed, documents_, &DocumentController::setRegions);
-    connect(regions_, &RegionController::gathered, documents_, &DocumentController::selectRegion);
-    connect(documents_, &DocumentController::regionsChanged, this,
-            [this] { regions_panel_->setTable(documents_->document().regions); });
-    connect(documents_, &DocumentController::selectionChanged, this, &MainWindow::showSelection);
-}
-
 void MainWindow::connectRendering() {
     slow_frame_.setSingleShot(true);
     slow_frame_.setInterval(600);
-    connect(&slow_frame_, &QTimer::timeout, this, [this] {
-        frame_share_ = 0;
-        updateProgress();
-    });
+    connect(&slow_frame_, &QTimer::timeout, this,
+            [this] { frame_task_ = bench_->tasks()->begin(tr("Rendering"), [this] { scheduler_->cancel(); }); });
     connect(scheduler_, &FrameScheduler::busyChanged, this, [this](bool busy) {
         if (busy) {
-            if (!slow_frame_.isActive() && frame_share_ < 0) slow_frame_.start();
+            if (!slow_frame_.isActive() && frame_task_ == 0) slow_frame_.start();
             return;
         }
         slow_frame_.stop();
-        frame_share_ = -1;
-        updateProgress();
+        bench_->tasks()->end(std::exchange(frame_task_, 0));
     });
-    connect(scheduler_, &FrameScheduler::progressed, this, [this](double share) {
-        if (frame_share_ < 0) return;
-        frame_share_ = share;
-        updateProgress();
-    });
+    connect(scheduler_, &FrameScheduler::progressed, this,
+            [this](double share) { bench_->tasks()->progress(frame_task_, share); });
     connect(scheduler_, &FrameScheduler::failed, messages_, &MessageBar::showError);
     connect(scheduler_, &FrameScheduler::frameReady, this, [this](const QImage& image, const FrameFacts& facts) {
         if (!documents_->hasDocument()) return;
@@ -270,8 +216,6 @@ void MainWindow::showDocument() {
     const Document& document = documents_->document();
     const QString name = QString::fromStdString(document.volume.name.empty() ? document.input : document.volume.name);
     setWindowTitle(tr("%1 — Lacuna").arg(name));
-    regions_->cancel();
-    inspections_->cancel();
     for (SliceView* slice : views_->slices()) {
         slice->setVolume(document.volume);
         slice->setCursor3d(document.cursor_mm);
@@ -284,12 +228,6 @@ void MainWindow::showDocument() {
     ranges_panel_->setVolume(document.volume, document.statistics);
     cuts_panel_->setGeometry3d(document.volume.geometry());
     slices_panel_->setVolume(document.volume, document.statistics);
-    regions_panel_->setVolume(document.volume, document.statistics);
-    inspection_panel_->setVolume(document.volume, *document.statistics);
-    side_->setEnabled(true);
-    regions_panel_->setEnabled(true);
-    inspection_panel_->setEnabled(true);
-    for (QAction* action : needs_document_) action->setEnabled(true);
     stack_->setCurrentWidget(views_);
     showSettings();
     readOutCursor();
@@ -315,7 +253,6 @@ void MainWindow::showSettings() {
     cuts_panel_->setCuts(settings.cuts);
     slices_panel_->setSettings(settings);
     effects_panel_->setEffects(settings.effects, settings.mode);
-    regions_panel_->setSettings(settings);
     std::vector<CuttingPlane> cuts;
     for (const CutSetting& cut : settings.cuts)
         if (cut.enabled) cuts.push_back(cut.plane);
@@ -340,7 +277,7 @@ void MainWindow::showSelection() {
         overlay.labels = std::shared_ptr<const LabelVolume>(document.inspection, &document.inspection->labels);
         overlay.id = document.selected_defect;
         auto tints = std::make_shared<std::vector<QRgb>>(1, 0);
-        for (const QColor& color : inspection_panel_->model()->colors()) tints->push_back(color.rgb());
+        for (const QColor& color : inspection_->panel()->model()->colors()) tints->push_back(color.rgb());
         overlay.tints = std::move(tints);
     }
     if (document.regions && document.selected_region != 0) {
@@ -350,16 +287,6 @@ void MainWindow::showSelection() {
     }
     for (SliceView* slice : views_->slices()) slice->setOverlay(overlay);
     renderScene();
-}
-
-void MainWindow::chooseRegion(std::uint32_t id) {
-    if (!documents_->hasDocument()) return;
-    const std::shared_ptr<const RegionTable> table = documents_->document().regions;
-    documents_->selectRegion(id, nullptr);
-    regions_->gather(table, id);
-    if (!table || id == 0) return;
-    for (const RegionCharacteristics& row : table->rows)
-        if (row.id == id) documents_->setCursor(row.centroid_mm);
 }
 
 void MainWindow::renderScene() {
@@ -397,36 +324,6 @@ void MainWindow::readOutCursor() {
     readOut(nearest_voxel(document.volume.geometry(), document.cursor_mm));
 }
 
-void MainWindow::updateProgress() {
-    if (load_share_ >= 0)
-        status_->showProgress(tr("Opening"), load_share_);
-    else if (regions_share_ >= 0)
-        status_->showProgress(tr("Finding regions"), regions_share_);
-    else if (inspection_share_ >= 0)
-        status_->showProgress(tr("Inspecting"), inspection_share_);
-    else if (report_share_ >= 0)
-        status_->showProgress(tr("Writing the report"), report_share_);
-    else if (frame_share_ >= 0)
-        status_->showProgress(tr("Rendering"), frame_share_);
-    else
-        status_->hideProgress();
-}
-
-void MainWindow::cancelShown() {
-    if (load_share_ >= 0)
-        loader_->cancel();
-    else if (regions_share_ >= 0)
-        regions_->cancel();
-    else if (inspection_share_ >= 0)
-        inspections_->cancel();
-    else if (report_share_ >= 0) {
-        report_job_.cancel();
-        report_share_ = -1;
-        updateProgress();
-    } else
-        scheduler_->cancel();
-}
-
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile()) event->acceptProposedAction();
 }
@@ -437,10 +334,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    loader_->cancel();
-    regions_->cancel();
-    inspections_->cancel();
-    report_job_.cancel();
+    bench_->tasks()->cancelAll();
     scheduler_->cancel();
     event->accept();
 }

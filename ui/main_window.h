@@ -6,31 +6,23 @@
 #include <QTimer>
 #include <functional>
 
-#include "core/render/engine.h"
-#include "ui/document_controller.h"
-#include "ui/four_up.h"
-#include "ui/frame_scheduler.h"
-#include "ui/inspection_controller.h"
-#include "ui/load_controller.h"
+#include "ui/features/inspection_feature.h"
+#include "ui/features/regions_feature.h"
 #include "ui/panels/cuts_panel.h"
 #include "ui/panels/effects_panel.h"
-#include "ui/panels/inspection_panel.h"
 #include "ui/panels/ranges_panel.h"
-#include "ui/panels/regions_panel.h"
 #include "ui/panels/render_panel.h"
 #include "ui/panels/slices_panel.h"
 #include "ui/panels/transfer_panel.h"
-#include "ui/region_controller.h"
 #include "ui/status_line.h"
 #include "ui/welcome_page.h"
-#include "ui/widgets/message_bar.h"
+#include "ui/workbench.h"
 
 class QActionGroup;
-class QDockWidget;
 
 namespace lacuna::ui {
 
-/// The workstation's window: puts views, panels and controllers together and carries values between them.
+/// The workstation's window: puts views, panels and features together and carries values between them.
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 public:
@@ -40,11 +32,12 @@ public:
     explicit MainWindow(EngineFactory make_engine, QWidget* parent = nullptr);
     ~MainWindow() override;
 
+    Workbench* bench() const { return bench_; }
     DocumentController* documents() const { return documents_; }
     LoadController* loader() const { return loader_; }
-    RegionController* regions() const { return regions_; }
-    InspectionController* inspections() const { return inspections_; }
     FrameScheduler* scheduler() const { return scheduler_; }
+    RegionsFeature* regions() const { return regions_; }
+    InspectionFeature* inspection() const { return inspection_; }
     FourUp* views() const { return views_; }
     RenderPanel* renderPanel() const { return render_panel_; }
     TransferPanel* transferPanel() const { return transfer_panel_; }
@@ -52,8 +45,6 @@ public:
     CutsPanel* cutsPanel() const { return cuts_panel_; }
     SlicesPanel* slicesPanel() const { return slices_panel_; }
     EffectsPanel* effectsPanel() const { return effects_panel_; }
-    RegionsPanel* regionsPanel() const { return regions_panel_; }
-    InspectionPanel* inspectionPanel() const { return inspection_panel_; }
     StatusLine* statusLine() const { return status_; }
     MessageBar* messageBar() const { return messages_; }
     QTabWidget* tabs() const { return tabs_; }
@@ -64,10 +55,6 @@ public Q_SLOTS:
     void openFolder();
     void openFile();
     void savePicture();
-    void exportRegions();
-    void loadCriteria();
-    void saveCriteria();
-    void exportReport();
     void showAbout();
     void showControls();
 
@@ -79,7 +66,9 @@ protected:
 private:
     void buildCentre();
     void buildDocks();
+    void buildFeatures();
     void buildMenus();
+    void finishMenus();
     void buildFileMenu();
     void buildEditMenu();
     void buildViewMenu();
@@ -89,8 +78,6 @@ private:
     void connectLoading();
     void connectViews();
     void connectPanels();
-    void connectRegions();
-    void connectInspection();
     void connectRendering();
     void focusTab(int tab, QWidget* widget);
 
@@ -100,22 +87,15 @@ private:
     void renderScene();
     void readOut(const glm::ivec3& voxel);
     void readOutCursor();
-    void updateProgress();
-    void cancelShown();
-    void chooseRegion(std::uint32_t id);
-    void chooseDefect(std::uint32_t id);
-    void colorDefects();
-    void writeReport(const QString& folder);
 
-    DocumentController* documents_;
-    LoadController* loader_;
-    RegionController* regions_;
-    InspectionController* inspections_;
-    FrameScheduler* scheduler_;
     QStackedWidget* stack_;
     WelcomePage* welcome_;
     FourUp* views_;
     MessageBar* messages_;
+    Workbench* bench_;
+    DocumentController* documents_;
+    LoadController* loader_;
+    FrameScheduler* scheduler_;
     StatusLine* status_;
     QTabWidget* tabs_;
     RenderPanel* render_panel_;
@@ -124,17 +104,13 @@ private:
     CutsPanel* cuts_panel_;
     SlicesPanel* slices_panel_;
     EffectsPanel* effects_panel_;
-    RegionsPanel* regions_panel_;
-    InspectionPanel* inspection_panel_;
-    QDockWidget* inspection_dock_ = nullptr;
     QWidget* side_;
+    RegionsFeature* regions_ = nullptr;
+    InspectionFeature* inspection_ = nullptr;
     QActionGroup* modes_ = nullptr;
-    QList<QAction*> needs_document_;
     QTimer slow_frame_;  ///< a frame is only worth a progress bar when it takes its time
-    double load_share_ = -1, regions_share_ = -1, inspection_share_ = -1, report_share_ = -1, frame_share_ = -1;
-    std::shared_ptr<Engine> engine_;
+    TaskList::Id load_task_ = 0, frame_task_ = 0;
     LatestJob<std::shared_ptr<Engine>> engine_job_;
-    LatestJob<QString> report_job_;
 };
 
 }  // namespace lacuna::ui

@@ -1,17 +1,30 @@
 #include "ui/status_line.h"
 
+#include <QMenu>
+#include <QToolButton>
 #include <algorithm>
 
 namespace lacuna::ui {
 
-StatusLine::StatusLine(QWidget* parent)
+namespace {
+
+QString task_text(const TaskList::Row& row) {
+    const std::optional<double> left = row.secondsLeft();
+    return left ? QStringLiteral("%1 · %2").arg(row.name, time_left_text(*left)) : row.name;
+}
+
+}  // namespace
+
+StatusLine::StatusLine(TaskList* tasks, QWidget* parent)
     : QStatusBar(parent),
+      tasks_(tasks),
       readout_(new QLabel(this)),
       what_(new QLabel(this)),
       frame_(new QLabel(this)),
       device_(new QLabel(this)),
       bar_(new QProgressBar(this)),
-      cancel_(new QPushButton(tr("Cancel"), this)) {
+      cancel_(new QPushButton(tr("Cancel"), this)),
+      more_(new QToolButton(this)) {
     setSizeGripEnabled(false);
     setContentsMargins(8, 0, 8, 0);
     readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // its text never widens the window
@@ -28,10 +41,17 @@ StatusLine::StatusLine(QWidget* parent)
     addWidget(what_);
     addWidget(bar_);
     addWidget(cancel_);
+    addWidget(more_);
+    more_->setToolTip(tr("All running jobs: choose one to cancel it"));
+    more_->setAccessibleName(tr("All running jobs"));
+    connect(more_, &QToolButton::clicked, this, &StatusLine::listTasks);
     addPermanentWidget(frame_);
     addPermanentWidget(device_);
-    connect(cancel_, &QPushButton::clicked, this, &StatusLine::cancelRequested);
-    hideProgress();
+    connect(cancel_, &QPushButton::clicked, this, [this] {
+        if (!tasks_->rows().empty()) tasks_->cancel(tasks_->rows().front().id);
+    });
+    connect(tasks_, &TaskList::changed, this, &StatusLine::showTasks);
+    showTasks();
 }
 
 void StatusLine::showReadout(const QString& text) { readout_->setText(text); }
@@ -51,19 +71,25 @@ void StatusLine::showFrame(const FrameFacts& facts, std::size_t volume_bytes) {
     showDevice(facts.device);
 }
 
-void StatusLine::showProgress(const QString& what, double share) {
-    what_->setText(what);
+void StatusLine::showTasks() {
+    const std::vector<TaskList::Row>& rows = tasks_->rows();
+    for (QWidget* widget : {static_cast<QWidget*>(what_), static_cast<QWidget*>(bar_), static_cast<QWidget*>(cancel_)})
+        widget->setVisible(!rows.empty());
+    more_->setVisible(rows.size() > 1);
+    if (rows.empty()) return;
+    what_->setText(task_text(rows.front()));
+    const double share = rows.front().share;
     bar_->setRange(0, share < 0 ? 0 : 1000);
     if (share >= 0) bar_->setValue(int(1000 * std::clamp(share, 0.0, 1.0)));
-    what_->show();
-    bar_->show();
-    cancel_->show();
+    more_->setText(tr("+%1").arg(rows.size() - 1));
 }
 
-void StatusLine::hideProgress() {
-    what_->hide();
-    bar_->hide();
-    cancel_->hide();
+void StatusLine::listTasks() {
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const TaskList::Row& row : tasks_->rows())
+        menu->addAction(tr("Cancel: %1").arg(task_text(row)), tasks_, [this, id = row.id] { tasks_->cancel(id); });
+    menu->popup(more_->mapToGlobal(QPoint(0, -menu->sizeHint().height())));
 }
 
 }  // namespace lacuna::ui

@@ -10,14 +10,14 @@ namespace {
 class InspectionTest : public WindowTest {
 protected:
     void inspect() {
-        QSignalSpy finished(window->inspections(), &InspectionController::finished);
-        QSignalSpy gathered(window->inspections(), &InspectionController::gathered);
+        QSignalSpy finished(window->inspection(), &InspectionFeature::finished);
+        QSignalSpy gathered(window->inspection(), &InspectionFeature::gathered);
         QTest::mouseClick(panel()->inspectButton(), Qt::LeftButton);
         ASSERT_TRUE(finished.count() > 0 || finished.wait(k_patience_ms));
         ASSERT_TRUE(document().inspection != nullptr) << window->messageBar()->text().toStdString();
         ASSERT_TRUE(gathered.count() > 0 || gathered.wait(k_patience_ms));
     }
-    InspectionPanel* panel() const { return window->inspectionPanel(); }
+    InspectionPanel* panel() const { return window->inspection()->panel(); }
     int rows() const { return panel()->table()->model()->rowCount(); }
 };
 

@@ -169,16 +169,16 @@ TEST_F(WindowTest, ATransferPointChangesThePictureAndUndoBringsItBack) {
 
 TEST_F(WindowTest, ARegionRowHighlightsItsRegion) {
     open(k_casting);
-    QSignalSpy finished(window->regions(), &RegionController::finished);
-    QTest::mouseClick(window->regionsPanel()->computeButton(), Qt::LeftButton);
+    QSignalSpy finished(window->regions(), &RegionsFeature::finished);
+    QTest::mouseClick(window->regions()->panel()->computeButton(), Qt::LeftButton);
     ASSERT_TRUE(finished.count() > 0 || finished.wait(k_patience_ms));
     ASSERT_TRUE(document().regions != nullptr);
-    QTableView* table = window->regionsPanel()->table();
+    QTableView* table = window->regions()->panel()->table();
     ASSERT_GT(table->model()->rowCount(), 0);
     settle();
     const QImage before = picture();
     SliceView* axial = window->views()->slice(SliceKind::axial);
-    QSignalSpy gathered(window->regions(), &RegionController::gathered);
+    QSignalSpy gathered(window->regions(), &RegionsFeature::gathered);
     QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(table->model()->index(0, 1)).center());
     ASSERT_TRUE(gathered.count() > 0 || gathered.wait(k_patience_ms));
     EXPECT_EQ(document().selected_region, 1u);

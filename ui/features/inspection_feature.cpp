@@ -1,0 +1,150 @@
+#include "ui/features/inspection_feature.h"
+
+#include <QFileDialog>
+
+#include "core/base/atomic_file.h"
+#include "core/inspect/report.h"
+#include "core/io/dicom_source.h"
+
+namespace lacuna::ui {
+
+InspectionFeature::InspectionFeature(Workbench& bench)
+    : QObject(&bench),
+      bench_(bench),
+      panel_(new InspectionPanel(bench.window())),
+      dock_(bench.addDock(QStringLiteral("inspection"), tr("Inspection"), panel_, Qt::BottomDockWidgetArea)),
+      analyse_(this, bench.tasks()),
+      gather_(this),
+      report_(this, bench.tasks()) {
+    bench.needDocument(panel_);
+    QMenu* tools = bench.menu(Workbench::Menu::tools);
+    bench.add(tools, tr("&Inspect the part"), QKeySequence(QStringLiteral("Ctrl+I")), this, [this] {
+        dock_->show();
+        dock_->raise();
+        inspect(panel_->form()->criteria().detection);
+    });
+    bench.add(bench.submenu(Workbench::Menu::file, tr("&Export")), tr("&Inspection report…"),
+              QKeySequence(QStringLiteral("Ctrl+Shift+E")), this, &InspectionFeature::exportReport);
+    DocumentController* documents = bench.documents();
+    connect(panel_, &InspectionPanel::inspectRequested, this, &InspectionFeature::inspect);
+    connect(panel_, &InspectionPanel::defectChosen, this, &InspectionFeature::choose);
+    connect(panel_, &InspectionPanel::colorsChanged, this, &InspectionFeature::colorDefects);
+    connect(panel_, &InspectionPanel::loadCriteriaRequested, this, &InspectionFeature::loadCriteria);
+    connect(panel_, &InspectionPanel::saveCriteriaRequested, this, &InspectionFeature::saveCriteria);
+    connect(panel_, &InspectionPanel::reportRequested, this, &InspectionFeature::exportReport);
+    connect(panel_, &InspectionPanel::failed, bench.messages(), &MessageBar::showError);
+    connect(documents, &DocumentController::opened, this, [this, documents] {
+        cancel();
+        panel_->setVolume(documents->document().volume, *documents->document().statistics);
+    });
+    connect(documents, &DocumentController::inspectionChanged, this,
+            [this, documents] { panel_->setAnalysis(documents->document().inspection); });
+}
+
+void InspectionFeature::inspect(const DetectionOptions& options) {
+    if (!bench_.documents()->hasDocument()) return;
+    gather_.cancel();
+    panel_->setRunning(true);
+    analyse_.start(
+        tr("Inspecting"),
+        [volume = bench_.documents()->document().volume, options](const JobContext& job) {
+            return std::make_shared<const PartAnalysis>(analyse_part(volume, options, job));
+        },
+        [this](Outcome<Analysis> outcome) {
+            panel_->setRunning(false);
+            if (const Error* error = std::get_if<Error>(&outcome))
+                bench_.report(*error);
+            else
+                bench_.documents()->setInspection(std::get<0>(outcome));
+            Q_EMIT finished();
+        });
+}
+
+void InspectionFeature::cancel() {
+    gather_.cancel();
+    analyse_.cancel();
+}
+
+void InspectionFeature::colorDefects() {
+    gather_.cancel();
+    if (!bench_.documents()->hasDocument() || !bench_.documents()->document().inspection) return;
+    std::vector<glm::dvec3> colors;
+    for (const QColor& color : panel_->model()->colors())
+        colors.emplace_back(color.redF(), color.greenF(), color.blueF());
+    gather_.start(
+        [analysis = bench_.documents()->document().inspection, colors](const JobContext& job) -> Highlights {
+            return std::make_shared<const std::vector<Highlight>>(defect_highlights(*analysis, colors, job));
+        },
+        [this](Outcome<Highlights> outcome) {
+            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+            bench_.documents()->showDefects(std::get<0>(outcome));
+            Q_EMIT gathered();
+        });
+}
+
+void InspectionFeature::choose(std::uint32_t id) {
+    DocumentController* documents = bench_.documents();
+    if (!documents->hasDocument()) return;
+    documents->selectDefect(id);
+    const Document& document = documents->document();
+    if (!document.inspection || id == 0 || id > document.inspection->defects.size()) return;
+    const glm::dvec3 at = document.inspection->defects[id - 1].centroid_mm;
+    documents->setCursor(at);
+    Camera camera = document.camera;
+    camera.center_mm = at;
+    documents->setCamera(camera);
+}
+
+void InspectionFeature::loadCriteria() {
+    const QString file =
+        QFileDialog::getOpenFileName(bench_.window(), tr("Load criteria"), {}, tr("Criteria (*.json);;All files (*)"));
+    if (file.isEmpty()) return;
+    try {
+        panel_->setCriteria(read_criteria(file.toStdString()));
+    } catch (const Error& error) {
+        bench_.report(error);
+    }
+}
+
+void InspectionFeature::saveCriteria() {
+    const QString file = QFileDialog::getSaveFileName(bench_.window(), tr("Save the criteria"),
+                                                      QStringLiteral("criteria.json"), tr("Criteria (*.json)"));
+    if (file.isEmpty()) return;
+    try {
+        write_file(file.toStdString(), criteria_to_json(panel_->form()->criteria()) + "\n");
+    } catch (const Error& error) {
+        bench_.report(error);
+    }
+}
+
+void InspectionFeature::exportReport() {
+    const QString folder = QFileDialog::getSaveFileName(bench_.window(), tr("Write the report to a new folder"),
+                                                        QStringLiteral("report"), tr("Folders (*)"));
+    if (!folder.isEmpty()) writeReport(folder);
+}
+
+void InspectionFeature::writeReport(const QString& folder) {
+    if (!bench_.documents()->hasDocument() || !bench_.engine()) return;
+    InspectOptions options;
+    options.input = bench_.documents()->document().input;
+    options.software = "Lacuna " LACUNA_VERSION;
+    options.by_hand = panel_->judgement().by_hand;
+    const Volume volume = bench_.documents()->document().volume;
+    const Criteria criteria = panel_->form()->criteria();
+    report_.start(
+        tr("Writing the report"),
+        [volume, criteria, options, folder, engine = bench_.engine()](const JobContext& job) mutable {
+            if (volume.dicom) options.source = find_dicom_source(options.input, {}, job);
+            const std::filesystem::path path = folder.toStdString();
+            check_report_folder(path);
+            const std::vector<ZoneMask> zones = lay_zones(criteria, volume.geometry(), job);
+            write_report(inspect_part(volume, criteria, zones, *engine, options, job), volume, path, job);
+            return folder;
+        },
+        [this](Outcome<QString> outcome) {
+            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+            bench_.messages()->showNotice(tr("The report stands in %1.").arg(std::get<0>(outcome)));
+        });
+}
+
+}  // namespace lacuna::ui

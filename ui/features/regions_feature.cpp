@@ -1,0 +1,97 @@
+#include "ui/features/regions_feature.h"
+
+#include <QFileDialog>
+
+#include "core/base/atomic_file.h"
+
+namespace lacuna::ui {
+
+RegionsFeature::RegionsFeature(Workbench& bench)
+    : QObject(&bench),
+      bench_(bench),
+      panel_(new RegionsPanel(bench.window())),
+      dock_(bench.addDock(QStringLiteral("regions"), tr("Regions"), panel_, Qt::BottomDockWidgetArea)),
+      find_(this, bench.tasks()),
+      gather_(this) {
+    bench.needDocument(panel_);
+    bench.add(bench.menu(Workbench::Menu::tools), tr("Compute re&gions"), QKeySequence(QStringLiteral("Ctrl+R")), this,
+              &RegionsFeature::compute);
+    bench.add(bench.submenu(Workbench::Menu::file, tr("&Export")), tr("&Region table…"),
+              QKeySequence(QStringLiteral("Ctrl+E")), this, &RegionsFeature::exportTable);
+    DocumentController* documents = bench.documents();
+    connect(panel_, &RegionsPanel::computeRequested, this, &RegionsFeature::compute);
+    connect(panel_, &RegionsPanel::exportRequested, this, &RegionsFeature::exportTable);
+    connect(panel_, &RegionsPanel::regionChosen, this, &RegionsFeature::choose);
+    connect(documents, &DocumentController::opened, this, [this, documents] {
+        cancel();
+        panel_->setVolume(documents->document().volume, documents->document().statistics);
+        panel_->setSettings(documents->document().settings);
+    });
+    connect(documents, &DocumentController::settingsChanged, this,
+            [this, documents] { panel_->setSettings(documents->document().settings); });
+    connect(documents, &DocumentController::regionsChanged, this,
+            [this, documents] { panel_->setTable(documents->document().regions); });
+}
+
+void RegionsFeature::compute() {
+    if (!bench_.documents()->hasDocument()) return;
+    panel_->setRunning(true);
+    find_.start(
+        tr("Finding regions"),
+        [volume = bench_.documents()->document().volume, options = panel_->options()](const JobContext& job) {
+            return std::make_shared<const RegionTable>(find_regions(volume, options, job));
+        },
+        [this](Outcome<std::shared_ptr<const RegionTable>> outcome) {
+            panel_->setRunning(false);
+            if (const Error* error = std::get_if<Error>(&outcome))
+                bench_.report(*error);
+            else
+                bench_.documents()->setRegions(std::get<0>(outcome));
+            Q_EMIT finished();
+        });
+}
+
+void RegionsFeature::cancel() {
+    gather_.cancel();
+    find_.cancel();
+}
+
+void RegionsFeature::choose(std::uint32_t id) {
+    DocumentController* documents = bench_.documents();
+    if (!documents->hasDocument()) return;
+    const std::shared_ptr<const RegionTable> table = documents->document().regions;
+    documents->selectRegion(id, nullptr);
+    gather_.cancel();
+    if (!table || id == 0) return;
+    gather_.start(
+        [table, id](const JobContext&) -> std::shared_ptr<const Highlight> {
+            for (const RegionCharacteristics& row : table->rows)
+                if (row.id == id) return std::make_shared<const Highlight>(highlight_of(*table, row));
+            return nullptr;
+        },
+        [this, id](Outcome<std::shared_ptr<const Highlight>> outcome) {
+            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+            bench_.documents()->selectRegion(id, std::get<0>(outcome));
+            Q_EMIT gathered(id);
+        });
+    for (const RegionCharacteristics& row : table->rows)
+        if (row.id == id) documents->setCursor(row.centroid_mm);
+}
+
+void RegionsFeature::exportTable() {
+    const DocumentController* documents = bench_.documents();
+    if (!documents->hasDocument() || !documents->document().regions) {
+        bench_.messages()->showNotice(tr("There is no region table yet; compute the regions first."));
+        return;
+    }
+    const QString file = QFileDialog::getSaveFileName(bench_.window(), tr("Export the region table"),
+                                                      QStringLiteral("regions.csv"), tr("Tables (*.csv)"));
+    if (file.isEmpty()) return;
+    try {
+        write_file(file.toStdString(), regions_to_csv(*documents->document().regions));
+    } catch (const Error& error) {
+        bench_.report(error);
+    }
+}
+
+}  // namespace lacuna::ui

@@ -1,0 +1,60 @@
+#include "ui/task_list.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lacuna::ui {
+
+std::optional<double> TaskList::Row::secondsLeft() const {
+    const double seconds = double(since.elapsed()) * 1e-3;
+    if (!(share >= 0.02) || seconds < 1) return std::nullopt;
+    return seconds * (1 - share) / share;
+}
+
+TaskList::Id TaskList::begin(const QString& name, std::function<void()> cancel) {
+    Row row;
+    row.id = ++last_;
+    row.name = name;
+    row.since.start();
+    row.cancel = std::move(cancel);
+    rows_.push_back(std::move(row));
+    Q_EMIT changed();
+    return last_;
+}
+
+TaskList::Row* TaskList::find(Id id) {
+    const auto at = std::find_if(rows_.begin(), rows_.end(), [id](const Row& row) { return row.id == id; });
+    return at == rows_.end() ? nullptr : &*at;
+}
+
+void TaskList::progress(Id id, double share) {
+    Row* row = find(id);
+    if (!row) return;
+    row->share = share;
+    Q_EMIT changed();
+}
+
+void TaskList::end(Id id) {
+    if (std::erase_if(rows_, [id](const Row& row) { return row.id == id; }) > 0) Q_EMIT changed();
+}
+
+void TaskList::cancel(Id id) {
+    const Row* row = find(id);
+    if (!row || !row->cancel) return;
+    const std::function<void()> stop = row->cancel;  // the row goes while it is called
+    stop();
+}
+
+void TaskList::cancelAll() {
+    const std::vector<Row> rows = rows_;
+    for (const Row& row : rows) cancel(row.id);
+}
+
+QString time_left_text(double seconds) {
+    if (seconds < 10) return TaskList::tr("a few seconds left");
+    if (seconds < 55) return TaskList::tr("about %1 s left").arg(5 * int(std::lround(seconds / 5)));
+    const int minutes = std::max(1, int(std::lround(seconds / 60)));
+    return TaskList::tr("about %n min left", nullptr, minutes);
+}
+
+}  // namespace lacuna::ui
