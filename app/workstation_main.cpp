@@ -1,16 +1,15 @@
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QIcon>
 
 #include "core/compute/device.h"
 #include "ui/main_window.h"
-#include "ui/theme.h"
+#include "ui/preferences.h"
+#include "ui/theme_control.h"
 
 int main(int argc, char** argv) {
     QApplication application(argc, argv);
-    QApplication::setApplicationName(QStringLiteral("lacuna-workstation"));
     QApplication::setApplicationDisplayName(QStringLiteral("Lacuna"));
-    QApplication::setApplicationVersion(QStringLiteral(LACUNA_VERSION));
+    lacuna::ui::name_application(QStringLiteral(LACUNA_VERSION));
     QCommandLineParser words;
     words.setApplicationDescription(QStringLiteral(
         "The Lacuna workstation: opens a CT volume, shows it in 3D and in slices, and measures its regions.\n"
@@ -26,7 +25,7 @@ int main(int argc, char** argv) {
                                     QStringLiteral("N|NAME"));
     words.addOption(device);
     words.process(application);
-    lacuna::ui::apply_theme(application);
+    lacuna::ui::ThemeControl::instance();
 
     const std::string choice = words.value(device).toStdString();
     lacuna::ui::MainWindow window([choice](const lacuna::JobContext& job) {

@@ -1,13 +1,20 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QSettings>
+#include <QTemporaryDir>
 
+#include "ui/preferences.h"
 #include "ui/theme.h"
 
 int main(int argc, char** argv) {
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication application(argc, argv);
     testing::InitGoogleTest(&argc, argv);
+    // Nobody's own preferences are read or changed.
+    const QTemporaryDir preferences;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, preferences.path());
+    lacuna::ui::name_application(QStringLiteral("test"));
     lacuna::ui::apply_theme(application);
     return RUN_ALL_TESTS();
 }

@@ -1,6 +1,7 @@
 #include "ui/widgets/message_bar.h"
 
 #include <QHBoxLayout>
+#include <QPainter>
 #include <QPushButton>
 
 #include "ui/theme.h"
@@ -23,15 +24,22 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), label_(new QLabel(this
     hide();
 }
 
-void MessageBar::showError(const QString& sentence) { showText(sentence, theme::k_error); }
-void MessageBar::showNotice(const QString& sentence) { showText(sentence, theme::k_warning); }
+void MessageBar::showError(const QString& sentence) { showText(sentence, true); }
+void MessageBar::showNotice(const QString& sentence) { showText(sentence, false); }
 
-void MessageBar::showText(const QString& sentence, const QColor& color) {
-    setStyleSheet(
-        QStringLiteral("lacuna--ui--MessageBar { background: #2d3036; border: none; border-left: 4px solid %1; }")
-            .arg(color.name()));
+void MessageBar::showText(const QString& sentence, bool error) {
+    error_ = error;
     label_->setText(sentence);
     show();
+    update();
+}
+
+void MessageBar::paintEvent(QPaintEvent*) {
+    const ThemeColors& c = theme::colors();
+    QPainter painter(this);
+    painter.fillRect(rect(), c.title);
+    painter.fillRect(QRect(0, 0, 4, height()), error_ ? c.error : c.warning);
+    painter.fillRect(QRect(0, height() - 1, width(), 1), c.border);
 }
 
 }  // namespace lacuna::ui

@@ -12,14 +12,19 @@ class MessageBar final : public QFrame {
 public:
     explicit MessageBar(QWidget* parent = nullptr);
     QString text() const { return label_->text(); }
+    bool isError() const { return error_; }
 
 public Q_SLOTS:
     void showError(const QString& sentence);
     void showNotice(const QString& sentence);
 
+protected:
+    void paintEvent(QPaintEvent*) override;
+
 private:
-    void showText(const QString& sentence, const QColor& color);
+    void showText(const QString& sentence, bool error);
     QLabel* label_;
+    bool error_ = false;
 };
 
 }  // namespace lacuna::ui

@@ -56,16 +56,18 @@ void RangeSlider::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     const double y = 0.5 * height();
     const QPointF low = handlePosition(k_low), high = handlePosition(k_high);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme::k_base);
+    const ThemeColors& c = theme::colors();
+    painter.setPen(QPen(isEnabled() ? c.control : c.disabled, 1));
+    painter.setBrush(c.base);
     painter.drawRoundedRect(QRectF(k_margin, y - 3, width() - 2 * k_margin, 6), 3, 3);
-    painter.setBrush(isEnabled() ? palette().color(QPalette::Highlight) : theme::k_border);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(isEnabled() ? c.highlight : c.border);
     painter.drawRoundedRect(QRectF(low.x(), y - 3, std::max(1.0, high.x() - low.x()), 6), 3, 3);
     for (const Part part : {k_low, k_high}) {
         const QPointF at = handlePosition(part);
         const bool focused = hasFocus() && active_ == part;
-        painter.setPen(QPen(focused ? theme::k_accent : QColor(20, 22, 25), focused ? 2 : 1));
-        painter.setBrush(isEnabled() ? QColor(196, 202, 212) : theme::k_dim);
+        painter.setPen(QPen(focused ? c.accent : isEnabled() ? c.control : c.disabled, focused ? 2 : 1));
+        painter.setBrush(!isEnabled() ? c.border : theme::scheme() == Scheme::light ? c.base : c.plot_line);
         painter.drawRoundedRect(QRectF(at.x() - 5, at.y() - 8, 10, 16), 3, 3);
     }
 }

@@ -136,7 +136,7 @@ void TransferPlot::removeSelected() {
 void TransferPlot::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(rect(), theme::k_base);
+    painter.fillRect(rect(), theme::colors().base);
     painter.save();
     painter.setClipRect(plotRect().adjusted(-6, -6, 6, 14));
     paintHistogram(painter);
@@ -145,17 +145,17 @@ void TransferPlot::paintEvent(QPaintEvent*) {
     QFont small = font();
     small.setPointSizeF(font().pointSizeF() * 0.85);
     painter.setFont(small);
-    painter.setPen(theme::k_dim);
+    painter.setPen(theme::colors().dim);
     const QRectF foot(plotRect().left(), plotRect().bottom() + 9, plotRect().width(), k_foot - 9);
     painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, QString::number(shown_.lo, 'g', 5));
     painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, QString::number(shown_.hi, 'g', 5));
     if (selected_ >= 0 && selected_ < int(function_.points.size())) {
         const TransferPoint& p = function_.points[std::size_t(selected_)];
-        painter.setPen(theme::k_text);
+        painter.setPen(theme::colors().text);
         painter.drawText(foot, Qt::AlignCenter, tr("%1 → %2").arg(p.value, 0, 'g', 5).arg(p.opacity, 0, 'f', 3));
     }
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(hasFocus() ? theme::k_accent : theme::k_border, 1));
+    painter.setPen(QPen(hasFocus() ? theme::colors().accent : theme::colors().border, 1));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 
@@ -180,7 +180,7 @@ void TransferPlot::paintHistogram(QPainter& painter) const {
     for (int x = 0; x < columns; ++x)
         path.lineTo(plot.left() + x + 0.5, plot.bottom() - column[std::size_t(x)] / highest * plot.height());
     path.lineTo(plot.right(), plot.bottom());
-    painter.fillPath(path, QColor(78, 86, 98, 150));
+    painter.fillPath(path, theme::colors().plot_fill);
 }
 
 void TransferPlot::paintFunction(QPainter& painter) const {
@@ -207,13 +207,13 @@ void TransferPlot::paintFunction(QPainter& painter) const {
     painter.setOpacity(0.45);
     painter.fillPath(under, colors);
     painter.setOpacity(1);
-    painter.setPen(QPen(QColor(230, 234, 240), 1.4));
+    painter.setPen(QPen(theme::colors().plot_line, 1.4));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(curve);
     for (int i = 0; i < int(function_.points.size()); ++i) {
         const bool chosen = i == selected_;
         painter.setBrush(to_qcolor(function_.points[std::size_t(i)].color));
-        painter.setPen(QPen(chosen ? theme::k_accent : QColor(240, 243, 247), chosen ? 2.5 : 1.2));
+        painter.setPen(QPen(chosen ? theme::colors().accent : theme::colors().plot_line, chosen ? 2.5 : 1.2));
         painter.drawEllipse(pointPosition(i), chosen ? 6 : 5, chosen ? 6 : 5);
     }
 }
