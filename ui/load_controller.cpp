@@ -20,16 +20,16 @@ void require_memory(const std::string& name, const OpenOptions& options) {
 
 }  // namespace
 
-void LoadController::open(const QString& input, const QString& series) {
+void LoadController::open(const QString& input, const OpenOptions& options) {
     job_.start(
-        [name = input.toStdString(), series = series.toStdString()](const JobContext& job) {
-            OpenOptions options;
-            options.series = series;
+        [name = input.toStdString(), options](const JobContext& job) {
             try {
                 require_memory(name, options);
                 // Reading is most of it; the statistics take the rest.
                 Volume volume = open_volume(name, options, job.part(0, 0.9));
-                return Opened{make_document(name, std::move(volume), job.part(0.9, 1)), {}};
+                Opened opened{make_document(name, std::move(volume), job.part(0.9, 1)), {}};
+                opened.document.options = options;
+                return opened;
             } catch (const AmbiguousInput& several) {
                 return Opened{{}, several.entries};
             }

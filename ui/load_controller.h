@@ -19,8 +19,8 @@ public:
     bool loading() const { return job_.running(); }
 
 public Q_SLOTS:
-    /// @param series  of several under the input: its number or UID; empty: there is one, or the choice is asked for
-    void open(const QString& input, const QString& series = {});
+    /// Where several volumes lie under the input and the options name none, the choice is asked for.
+    void open(const QString& input, const lacuna::OpenOptions& options = {});
     void cancel();
 
 Q_SIGNALS:

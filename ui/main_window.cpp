@@ -126,8 +126,13 @@ void MainWindow::connectLoading() {
             [this](const QString& input, const std::vector<SeriesEntry>& entries) {
                 auto* dialog = new SeriesDialog(entries, this);
                 dialog->setAttribute(Qt::WA_DeleteOnClose);
-                connect(dialog, &SeriesDialog::chosen, loader_,
-                        [this, input](const QString& number) { loader_->open(input, number); });
+                connect(dialog, &SeriesDialog::chosen, loader_, [this, input, entries](const QString& number) {
+                    OpenOptions options;
+                    options.series = number.toStdString();
+                    for (const SeriesEntry& entry : entries)  // a UID still names it when files come or go
+                        if (QString::number(entry.number) == number && !entry.uid.empty()) options.series = entry.uid;
+                    loader_->open(input, options);
+                });
                 dialog->open();
             });
     connect(documents_, &DocumentController::opened, this, &MainWindow::showDocument);

@@ -6,6 +6,7 @@
 
 #include "core/base/job.h"
 #include "core/inspect/part_analysis.h"
+#include "core/io/volume_reader.h"
 #include "core/regions/regions.h"
 #include "core/render/plan.h"
 #include "core/render/scene.h"
@@ -57,7 +58,8 @@ struct ViewSettings {
 /// What a window shows: a volume, what is known of it, how it is seen, and what was found in it. A value; copies share
 /// the voxels and the results.
 struct Document {
-    std::string input;  ///< as opened
+    std::string input;    ///< as opened
+    OpenOptions options;  ///< as opened: which series, how raw voxels lie
     Volume volume;
     std::shared_ptr<const VolumeStatistics> statistics;
     ViewSettings settings;
