@@ -129,8 +129,14 @@ void MainWindow::connectLoading() {
                 connect(dialog, &SeriesDialog::chosen, loader_, [this, input, entries](const QString& number) {
                     OpenOptions options;
                     options.series = number.toStdString();
-                    for (const SeriesEntry& entry : entries)  // a UID still names it when files come or go
-                        if (QString::number(entry.number) == number && !entry.uid.empty()) options.series = entry.uid;
+                    const auto chosen = std::find_if(entries.begin(), entries.end(), [&](const SeriesEntry& entry) {
+                        return QString::number(entry.number) == number;
+                    });
+                    // A UID still names it when files come or go; but one may be split into several volumes.
+                    const auto same_uid = [&](const SeriesEntry& entry) { return entry.uid == chosen->uid; };
+                    if (chosen != entries.end() && !chosen->uid.empty() &&
+                        std::count_if(entries.begin(), entries.end(), same_uid) == 1)
+                        options.series = chosen->uid;
                     loader_->open(input, options);
                 });
                 dialog->open();

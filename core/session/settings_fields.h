@@ -1,0 +1,80 @@
+#pragma once
+
+#include "core/session/document.h"
+#include "core/session/json_fields.h"
+
+// The fields of what a session file holds, one line each (see json_fields.h). A field added to one of these structs is
+// added here, or it is lost with every session that is saved; tests/unit/session checks that none is.
+namespace lacuna {
+
+inline ViewMode word_to(std::string_view text, ViewMode) { return parse_view_mode(text); }
+inline Shading word_to(std::string_view text, Shading) { return parse_shading(text); }
+inline Sampler word_to(std::string_view text, Sampler) { return parse_sampler(text); }
+
+template <class Archive>
+void fields(Archive& archive, ValueRange& range) {
+    archive("lo", range.lo);
+    archive("hi", range.hi);
+}
+
+template <class Archive>
+void fields(Archive& archive, SegmentationRange& range) {
+    archive("name", range.name);
+    archive("range", range.range);
+    archive("tf", range.tf);
+}
+
+template <class Archive>
+void fields(Archive& archive, RangeSetting& setting) {
+    archive("range", setting.range);
+    archive("enabled", setting.enabled);
+}
+
+template <class Archive>
+void fields(Archive& archive, CuttingPlane& plane) {
+    archive("normal", plane.normal);
+    archive("offset", plane.offset);
+    archive("cap", plane.cap);
+}
+
+template <class Archive>
+void fields(Archive& archive, CutSetting& setting) {
+    archive("plane", setting.plane);
+    archive("enabled", setting.enabled);
+}
+
+template <class Archive>
+void fields(Archive& archive, Quality& quality) {
+    archive("step", quality.step);
+    archive("skip_empty", quality.skip_empty);
+    archive("sampler", quality.sampler);
+}
+
+template <class Archive>
+void fields(Archive& archive, ViewSettings& settings) {
+    archive("mode", settings.mode);
+    archive("iso", settings.iso);
+    archive("lmip_threshold", settings.lmip_threshold);
+    archive("shading", settings.shading);
+    archive("tf", settings.tf);
+    archive("ranges", settings.ranges);
+    archive("cuts", settings.cuts);
+    archive("window", settings.window);
+    archive("projection_window", settings.projection_window);
+    archive("color_by_tf", settings.color_by_tf);
+    archive("surface_color", settings.surface_color);
+    archive("quality", settings.quality);
+    archive("effects", settings.effects);
+}
+
+template <class Archive>
+void fields(Archive& archive, Camera& camera) {
+    archive("azimuth_deg", camera.azimuth_deg);
+    archive("elevation_deg", camera.elevation_deg);
+    archive("roll_deg", camera.roll_deg);
+    archive("zoom", camera.zoom);
+    archive("center_mm", camera.center_mm);
+    archive("fov_deg", camera.fov_deg);
+}
+
+}  // namespace lacuna
