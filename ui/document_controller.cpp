@@ -40,6 +40,14 @@ void DocumentController::redo() {
     if (document_ && history_.can_redo()) replaceSettings(history_.redo());
 }
 
+void DocumentController::restore(const ViewSettings& settings, const Camera& camera, const glm::dvec3& cursor_mm) {
+    if (!document_) return;
+    history_.reset();
+    replaceSettings(settings);
+    setCamera(camera);
+    setCursor(cursor_mm);
+}
+
 void DocumentController::replaceSettings(const ViewSettings& settings) {
     document_->settings = ViewSettings(settings);
     Q_EMIT settingsChanged();

@@ -27,6 +27,8 @@ public Q_SLOTS:
     void edit(const QString& name, const lacuna::ViewSettings& next);
     void undo();
     void redo();
+    /// Shows the document as a session left it. No step of undo: there is nothing before it.
+    void restore(const lacuna::ViewSettings& settings, const lacuna::Camera& camera, const glm::dvec3& cursor_mm);
     void setCamera(const lacuna::Camera& camera);
     void setCursor(const glm::dvec3& mm);
     void setRegions(std::shared_ptr<const lacuna::RegionTable> regions);

@@ -24,6 +24,10 @@ void MainWindow::buildMenus() {
 /// What closes the menus, behind what the features added.
 void MainWindow::finishMenus() {
     QMenu* file = bench_->menu(Menu::file);
+    QAction* exports = bench_->submenu(Menu::file, tr("&Export"))->menuAction();
+    file->removeAction(exports);
+    file->addSeparator();
+    file->addAction(exports);
     file->addSeparator();
     bench_->addAlways(file, tr("&Quit"), QKeySequence(QStringLiteral("Ctrl+Q")), this, &QWidget::close);
     QMenu* help = bench_->menu(Menu::help);
@@ -46,7 +50,8 @@ void MainWindow::buildFileMenu() {
                           [this, text] { openInput(QStringLiteral("sample:") + text); });
     }
     file->addSeparator();
-    bench_->add(file, tr("&Save the 3D picture…"), QKeySequence::Save, this, &MainWindow::savePicture);
+    bench_->add(bench_->submenu(Menu::file, tr("&Export")), tr("The 3D &picture…"),
+                QKeySequence(QStringLiteral("Ctrl+Shift+P")), this, &MainWindow::savePicture);
 }
 
 void MainWindow::buildEditMenu() {

@@ -85,6 +85,7 @@ void MainWindow::buildDocks() {
 void MainWindow::buildFeatures() {
     regions_ = new RegionsFeature(*bench_);
     inspection_ = new InspectionFeature(*bench_);
+    session_ = new SessionFeature(*bench_, *inspection_);
     tabifyDockWidget(regions_->dock(), inspection_->dock());
     regions_->dock()->raise();
     resizeDocks({regions_->dock()}, {190}, Qt::Vertical);
@@ -105,7 +106,12 @@ void MainWindow::startEngine(EngineFactory make_engine) {
     });
 }
 
-void MainWindow::openInput(const QString& input) { loader_->open(input); }
+void MainWindow::openInput(const QString& input) {
+    if (input.endsWith(QLatin1String(k_session_suffix)))
+        session_->openFile(input);
+    else
+        loader_->open(input);
+}
 
 void MainWindow::connectLoading() {
     connect(welcome_, &WelcomePage::openFolderRequested, this, &MainWindow::openFolder);
@@ -226,7 +232,7 @@ void MainWindow::connectRendering() {
 void MainWindow::showDocument() {
     const Document& document = documents_->document();
     const QString name = QString::fromStdString(document.volume.name.empty() ? document.input : document.volume.name);
-    setWindowTitle(tr("%1 — Lacuna").arg(name));
+    setWindowTitle(tr("%1[*] — Lacuna").arg(name));
     for (SliceView* slice : views_->slices()) {
         slice->setVolume(document.volume);
         slice->setCursor3d(document.cursor_mm);
@@ -345,6 +351,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    session_->finish();
     bench_->tasks()->cancelAll();
     scheduler_->cancel();
     event->accept();

@@ -8,6 +8,7 @@
 
 #include "ui/features/inspection_feature.h"
 #include "ui/features/regions_feature.h"
+#include "ui/features/session_feature.h"
 #include "ui/panels/cuts_panel.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/ranges_panel.h"
@@ -38,6 +39,7 @@ public:
     FrameScheduler* scheduler() const { return scheduler_; }
     RegionsFeature* regions() const { return regions_; }
     InspectionFeature* inspection() const { return inspection_; }
+    SessionFeature* session() const { return session_; }
     FourUp* views() const { return views_; }
     RenderPanel* renderPanel() const { return render_panel_; }
     TransferPanel* transferPanel() const { return transfer_panel_; }
@@ -50,7 +52,7 @@ public:
     QTabWidget* tabs() const { return tabs_; }
 
 public Q_SLOTS:
-    /// Opens any INPUT of the command line: a path or `sample:NAME[@SIZE]`.
+    /// Opens any INPUT of the command line, a path or `sample:NAME[@SIZE]`, or a session file.
     void openInput(const QString& input);
     void openFolder();
     void openFile();
@@ -107,6 +109,7 @@ private:
     QWidget* side_;
     RegionsFeature* regions_ = nullptr;
     InspectionFeature* inspection_ = nullptr;
+    SessionFeature* session_ = nullptr;
     QActionGroup* modes_ = nullptr;
     QTimer slow_frame_;  ///< a frame is only worth a progress bar when it takes its time
     TaskList::Id load_task_ = 0, frame_task_ = 0;

@@ -9,10 +9,11 @@
 
 int main(int argc, char** argv) {
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+    // Nobody's own preferences and sessions are read or changed.
+    const QTemporaryDir preferences;
+    qputenv("XDG_DATA_HOME", preferences.path().toUtf8());
     QApplication application(argc, argv);
     testing::InitGoogleTest(&argc, argv);
-    // Nobody's own preferences are read or changed.
-    const QTemporaryDir preferences;
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, preferences.path());
     lacuna::ui::name_application(QStringLiteral("test"));
     lacuna::ui::apply_theme(application);

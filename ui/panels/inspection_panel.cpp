@@ -227,6 +227,7 @@ void InspectionPanel::decide(std::uint32_t defect, bool accepted, const QString&
     if (!reason.isEmpty()) by_hand_.push_back({defect, accepted, reason.toStdString()});
     std::sort(by_hand_.begin(), by_hand_.end(), [](const auto& a, const auto& b) { return a.defect < b.defect; });
     judgeAgain();
+    Q_EMIT decided();
 }
 
 }  // namespace lacuna::ui

@@ -42,6 +42,7 @@ Q_SIGNALS:
     void loadCriteriaRequested();
     void saveCriteriaRequested();
     void reportRequested();
+    void decided();  ///< a decision by hand was made or taken back
     void failed(const QString& sentence);
 
 private:

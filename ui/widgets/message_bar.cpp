@@ -8,9 +8,8 @@
 
 namespace lacuna::ui {
 
-MessageBar::MessageBar(QWidget* parent) : QFrame(parent), label_(new QLabel(this)) {
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(10, 5, 6, 5);
+MessageBar::MessageBar(QWidget* parent) : QFrame(parent), row_(new QHBoxLayout(this)), label_(new QLabel(this)) {
+    row_->setContentsMargins(10, 5, 6, 5);
     label_->setWordWrap(true);
     label_->setTextFormat(Qt::PlainText);
     label_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -19,15 +18,30 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), label_(new QLabel(this
     close->setAccessibleName(tr("Dismiss the message"));
     close->setShortcut(QKeySequence(Qt::Key_Escape));
     connect(close, &QPushButton::clicked, this, &QWidget::hide);
-    row->addWidget(label_, 1);
-    row->addWidget(close);
+    row_->addWidget(label_, 1);
+    row_->addWidget(close);
     hide();
 }
 
 void MessageBar::showError(const QString& sentence) { showText(sentence, true); }
 void MessageBar::showNotice(const QString& sentence) { showText(sentence, false); }
 
+void MessageBar::ask(const QString& sentence, const Answers& answers) {
+    showText(sentence, false);
+    for (const auto& [text, act] : answers) {
+        auto* button = new QPushButton(text, this);
+        connect(button, &QPushButton::clicked, this, [this, act = act] {
+            hide();
+            act();
+        });
+        row_->insertWidget(row_->count() - 1, button);  // before the one that dismisses
+        answers_ << button;
+    }
+}
+
 void MessageBar::showText(const QString& sentence, bool error) {
+    for (QPushButton* button : answers_) button->deleteLater();
+    answers_.clear();
     error_ = error;
     label_->setText(sentence);
     show();

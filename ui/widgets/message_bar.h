@@ -2,6 +2,12 @@
 
 #include <QFrame>
 #include <QLabel>
+#include <QList>
+#include <functional>
+#include <utility>
+
+class QHBoxLayout;
+class QPushButton;
 
 namespace lacuna::ui {
 
@@ -13,6 +19,11 @@ public:
     explicit MessageBar(QWidget* parent = nullptr);
     QString text() const { return label_->text(); }
     bool isError() const { return error_; }
+    /// What can be done about it, each a button; any of them closes the bar.
+    using Answers = QList<std::pair<QString, std::function<void()>>>;
+    /// Asks without stopping anyone: the question stays until it is answered, dismissed or replaced.
+    void ask(const QString& sentence, const Answers& answers);
+    const QList<QPushButton*>& answerButtons() const { return answers_; }
 
 public Q_SLOTS:
     void showError(const QString& sentence);
@@ -23,7 +34,9 @@ protected:
 
 private:
     void showText(const QString& sentence, bool error);
+    QHBoxLayout* row_;
     QLabel* label_;
+    QList<QPushButton*> answers_;
     bool error_ = false;
 };
 

@@ -1,0 +1,149 @@
+// Sessions: saved, opened, saved by themselves, and taken up again after a crash.
+#include <QFile>
+#include <QPushButton>
+#include <QTemporaryDir>
+
+#include "core/io/volume_writer.h"
+#include "window_fixture.h"
+
+namespace lacuna::ui::test {
+namespace {
+
+class SessionTest : public WindowTest {
+protected:
+    SessionFeature* session() const { return window->session(); }
+
+    void changeThings() {
+        window->bench()->edit(QStringLiteral("Isovalue"), [](ViewSettings& s) { s.iso = 1234.5; });
+        window->bench()->edit(QStringLiteral("Cut"), [](ViewSettings& s) {
+            s.cuts.push_back({{{0, 1, 0}, 3, true}, true});
+        });
+        Camera camera = document().camera;
+        camera.azimuth_deg = 77;
+        window->documents()->setCamera(camera);
+        window->documents()->setCursor({1, 2, 3});
+    }
+    void save(const QString& file) {
+        QSignalSpy saved(session(), &SessionFeature::saved);
+        session()->saveTo(file);
+        ASSERT_TRUE(saved.wait(k_patience_ms)) << window->messageBar()->text().toStdString();
+    }
+    void reopen(const QString& file) {
+        QSignalSpy restored(session(), &SessionFeature::restored);
+        window->openInput(file);
+        ASSERT_TRUE(restored.wait(k_patience_ms)) << window->messageBar()->text().toStdString();
+    }
+    void anotherWindow() {
+        window.reset();
+        SetUp();
+    }
+    /// A volume file of the test's own.
+    QString writeData(float value) {
+        const QString file = folder.filePath(QStringLiteral("part.mhd"));
+        GridGeometry geometry;
+        geometry.size = {16, 16, 16};
+        write_volume(make_volume<float>(geometry,
+                                        [value](std::span<float> voxels) {
+                                            std::fill(voxels.begin(), voxels.end(), value);
+                                            voxels[5] = value + 1;
+                                        }),
+                     file.toStdString());
+        return file;
+    }
+    QTemporaryDir folder;
+};
+
+TEST_F(SessionTest, BringsEverythingBackInAnotherWindow) {
+    open(k_casting);
+    changeThings();
+    const ViewSettings settings = document().settings;
+    const Camera camera = document().camera;
+    const QString file = folder.filePath(QStringLiteral("a.lacuna"));
+    save(file);
+    EXPECT_FALSE(window->isWindowModified());
+    anotherWindow();
+    reopen(file);
+    EXPECT_EQ(document().settings, settings);
+    EXPECT_EQ(document().camera, camera);
+    EXPECT_EQ(document().cursor_mm, glm::dvec3(1, 2, 3));
+    EXPECT_FALSE(window->documents()->history().can_undo());
+}
+
+TEST_F(SessionTest, BringsAnInspectionAndItsDecisionsBack) {
+    open(k_casting);
+    QSignalSpy inspected(window->inspection(), &InspectionFeature::finished);
+    window->inspection()->inspect(window->inspection()->panel()->form()->criteria().detection);
+    ASSERT_TRUE(inspected.wait(k_patience_ms));
+    ASSERT_TRUE(document().inspection);
+    const std::size_t defects = document().inspection->defects.size();
+    ASSERT_GE(defects, 1u);
+    window->inspection()->panel()->decide(1, false, QStringLiteral("too near to the thread"));
+    const QString file = folder.filePath(QStringLiteral("b.lacuna"));
+    save(file);
+    anotherWindow();
+    QSignalSpy again(window->inspection(), &InspectionFeature::finished);
+    reopen(file);
+    ASSERT_TRUE(again.count() > 0 || again.wait(k_patience_ms));
+    ASSERT_TRUE(document().inspection);
+    EXPECT_EQ(document().inspection->defects.size(), defects);
+    const auto& by_hand = window->inspection()->panel()->judgement().by_hand;
+    ASSERT_EQ(by_hand.size(), 1u);
+    EXPECT_EQ(by_hand[0].reason, "too near to the thread");
+}
+
+TEST_F(SessionTest, WhatACrashLeftIsOfferedAgain) {
+    open(k_casting);
+    changeThings();
+    const ViewSettings settings = document().settings;
+    QSignalSpy kept(session(), &SessionFeature::autosaved);
+    session()->autosave();
+    ASSERT_TRUE(kept.wait(k_patience_ms));
+    // A crash leaves the autosave behind without the lock of a living process.
+    const QStringList files = SessionFeature::autosaveFolder().entryList({QStringLiteral("autosave-*.lacuna")});
+    ASSERT_EQ(files.size(), 1);
+    const QString orphan = SessionFeature::autosaveFolder().filePath(QStringLiteral("autosave-crashed.lacuna"));
+    ASSERT_TRUE(QFile::rename(SessionFeature::autosaveFolder().filePath(files.front()), orphan));
+    anotherWindow();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window->messageBar()->answerButtons().size() == 2; }, k_patience_ms));
+    QSignalSpy restored(session(), &SessionFeature::restored);
+    QTest::mouseClick(window->messageBar()->answerButtons().front(), Qt::LeftButton);
+    ASSERT_TRUE(restored.wait(k_patience_ms));
+    EXPECT_EQ(document().settings, settings);
+    EXPECT_FALSE(QFile::exists(orphan));
+    EXPECT_TRUE(QFile::exists(SessionFeature::lastFile()));
+}
+
+TEST_F(SessionTest, ALivingWindowsAutosaveIsLeftAlone) {
+    open(k_casting);
+    changeThings();
+    QSignalSpy kept(session(), &SessionFeature::autosaved);
+    session()->autosave();
+    ASSERT_TRUE(kept.wait(k_patience_ms));
+    MainWindow second([](const JobContext&) { return std::make_shared<Engine>(nullptr); });
+    second.show();
+    QTest::qWait(50);
+    EXPECT_TRUE(second.messageBar()->answerButtons().isEmpty());
+    window->close();
+    EXPECT_TRUE(SessionFeature::autosaveFolder().entryList({QStringLiteral("autosave-*.lacuna")}).isEmpty());
+}
+
+TEST_F(SessionTest, MovedOrChangedDataIsSaidAndNothingIsLost) {
+    const QString data = writeData(10);
+    open(data);
+    changeThings();
+    const QString file = folder.filePath(QStringLiteral("c.lacuna"));
+    save(file);
+    writeData(20);
+    reopen(file);
+    ASSERT_TRUE(QTest::qWaitFor(
+        [this] { return window->messageBar()->text().contains(QStringLiteral("not the same")); }, k_patience_ms));
+    ASSERT_TRUE(QFile::rename(data, folder.filePath(QStringLiteral("gone.mhd"))));
+    window->openInput(file);
+    EXPECT_TRUE(window->messageBar()->text().contains(QStringLiteral("not where it was")));
+    EXPECT_EQ(window->messageBar()->answerButtons().size(), 2);
+    EXPECT_TRUE(window->documents()->hasDocument());
+    EXPECT_EQ(document().settings.iso, 1234.5);
+}
+
+}  // namespace
+}  // namespace lacuna::ui::test

@@ -1,0 +1,277 @@
+#include "ui/features/session_feature.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QStandardPaths>
+#include <QUuid>
+
+#include "ui/preferences.h"
+
+namespace lacuna::ui {
+
+namespace {
+
+constexpr int k_tick_ms = 5000;
+
+QString session_filter() { return SessionFeature::tr("Sessions (*.lacuna)"); }
+
+bool data_exists(const Session& session) {
+    return session.input.starts_with("sample:") || QFileInfo::exists(QString::fromStdString(session.input));
+}
+
+}  // namespace
+
+QDir SessionFeature::autosaveFolder() {
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+                      QStringLiteral("/sessions"));
+    folder.mkpath(QStringLiteral("."));
+    // A path of data may name a patient: nobody else's eyes.
+    QFile::setPermissions(folder.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    return folder;
+}
+
+QString SessionFeature::lastFile() { return autosaveFolder().filePath(QStringLiteral("last.lacuna")); }
+
+SessionFeature::SessionFeature(Workbench& bench, InspectionFeature& inspection)
+    : QObject(&bench), bench_(bench), inspection_(inspection), hash_(this), write_(this), save_(this, bench.tasks()) {
+    buildMenu();
+    const QString name = QStringLiteral("autosave-") + QUuid::createUuid().toString(QUuid::WithoutBraces);
+    autosave_file_ = autosaveFolder().filePath(name + QLatin1String(k_session_suffix));
+    lock_ = std::make_unique<QLockFile>(autosaveFolder().filePath(name + QStringLiteral(".lock")));
+    lock_->setStaleLockTime(0);  // only the death of its process makes it stale
+    lock_->tryLock(0);
+    connect(&autosave_timer_, &QTimer::timeout, this, [this] {
+        const int minutes = preferences::autosave_minutes();  // may be changed at any time
+        if (minutes > 0 && since_autosave_.elapsed() >= qint64(minutes) * 60000) autosave();
+    });
+    autosave_timer_.start(k_tick_ms);
+    since_autosave_.start();
+    DocumentController* documents = bench.documents();
+    connect(documents, &DocumentController::opened, this, &SessionFeature::documentOpened);
+    for (const auto signal : {&DocumentController::settingsChanged, &DocumentController::inspectionChanged})
+        connect(documents, signal, this, &SessionFeature::changed);
+    for (const auto signal : {&DocumentController::cameraChanged, &DocumentController::cursorChanged})
+        connect(documents, signal, this, [this] { dirty_ = true; });  // kept, but nothing to be asked about
+    connect(bench.loader(), &LoadController::started, this, &SessionFeature::autosave);  // of what is about to go
+    connect(inspection.panel(), &InspectionPanel::decided, this, &SessionFeature::changed);
+    connect(bench.loader(), &LoadController::failed, this, [this] { pending_.reset(); });
+    connect(bench.loader(), &LoadController::cancelled, this, [this] { pending_.reset(); });
+    QTimer::singleShot(0, this, &SessionFeature::offerRecovery);
+}
+
+SessionFeature::~SessionFeature() = default;
+
+void SessionFeature::finish() {
+    write_.cancel();
+    if (!bench_.documents()->hasDocument()) return;
+    try {
+        save_session(current(), autosave_file_.toStdString());
+    } catch (const Error&) {
+        // The one before it is kept.
+    }
+    keepAsLast();
+}
+
+void SessionFeature::buildMenu() {
+    QMenu* file = bench_.menu(Workbench::Menu::file);
+    bench_.addAlways(file, tr("Open a sess&ion…"), QKeySequence(QStringLiteral("Ctrl+Alt+O")), this, [this] {
+        const QString name = QFileDialog::getOpenFileName(bench_.window(), tr("Open a session"), {}, session_filter());
+        if (!name.isEmpty()) openFile(name);
+    });
+    QAction* last =
+        bench_.addAlways(file, tr("Open the &last session again"), {}, this, [this] { openFile(lastFile()); });
+    connect(file, &QMenu::aboutToShow, last, [last] { last->setEnabled(QFileInfo::exists(lastFile())); });
+    bench_.add(file, tr("Sa&ve the session"), QKeySequence::Save, this, &SessionFeature::save);
+    bench_.add(file, tr("Save the session &as…"), QKeySequence(QStringLiteral("Ctrl+Shift+S")), this,
+               &SessionFeature::saveAs);
+}
+
+void SessionFeature::changed() {
+    dirty_ = true;
+    bench_.window()->setWindowModified(true);
+}
+
+void SessionFeature::save() {
+    if (file_.isEmpty())
+        saveAs();
+    else
+        saveTo(file_);
+}
+
+void SessionFeature::saveAs() {
+    QString name = QFileDialog::getSaveFileName(bench_.window(), tr("Save the session"),
+                                                QStringLiteral("session.lacuna"), session_filter());
+    if (name.isEmpty()) return;
+    if (QFileInfo(name).suffix().isEmpty()) name += QLatin1String(k_session_suffix);
+    saveTo(name);
+}
+
+Session SessionFeature::current() const {
+    Session session = session_of(bench_.documents()->document(), sha256_);
+    if (bench_.documents()->document().inspection) {
+        session.criteria = criteria_to_json(inspection_.panel()->form()->criteria());
+        session.decisions = inspection_.panel()->judgement().by_hand;
+    }
+    return session;
+}
+
+void SessionFeature::saveTo(const QString& file) {
+    if (!bench_.documents()->hasDocument()) return;
+    save_.start(
+        tr("Saving the session"),
+        [session = current(), volume = bench_.documents()->document().volume, file](const JobContext& job) mutable {
+            if (session.sha256.empty()) session.sha256 = voxel_sha256(volume, job);
+            save_session(session, file.toStdString());
+            return file;
+        },
+        [this](Outcome<QString> outcome) {
+            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+            file_ = std::get<0>(outcome);
+            bench_.window()->setWindowModified(false);
+            bench_.messages()->showNotice(tr("The session is saved in %1.").arg(file_));
+            Q_EMIT saved(file_);
+        });
+}
+
+void SessionFeature::openFile(const QString& file) {
+    try {
+        Session session = load_session(file.toStdString());
+        if (!data_exists(session)) return askForData(std::move(session), file);
+        start(std::move(session), file);
+    } catch (const Error& error) {
+        bench_.report(error);
+    }
+}
+
+void SessionFeature::start(Session session, const QString& file) {
+    pending_file_ = file == lastFile() ? QString() : file;  // that one is not the user's
+    const QString input = QString::fromStdString(session.input);
+    const OpenOptions options = session.options;
+    pending_ = std::move(session);
+    bench_.loader()->open(input, options);
+}
+
+void SessionFeature::askForData(Session session, const QString& file) {
+    const auto locate = [this, session, file](bool folder) {
+        const QString title = tr("Where is the session's data?");
+        const QString name = folder ? QFileDialog::getExistingDirectory(bench_.window(), title)
+                                    : QFileDialog::getOpenFileName(bench_.window(), title);
+        if (name.isEmpty()) return;
+        Session moved = session;
+        moved.input = name.toStdString();
+        start(std::move(moved), file);
+    };
+    bench_.messages()->ask(tr("The data of %1 is not where it was (%2). What is open stays open.")
+                               .arg(QFileInfo(file).fileName(), QString::fromStdString(session.input)),
+                           {{tr("Locate the folder…"), [locate] { locate(true); }},
+                            {tr("Locate the file…"), [locate] { locate(false); }}});
+}
+
+void SessionFeature::documentOpened() {
+    keepAsLast();
+    hash_.cancel();
+    sha256_.clear();
+    file_.clear();
+    const Document& document = bench_.documents()->document();
+    QString expected;
+    if (pending_ && QString::fromStdString(pending_->input) == QString::fromStdString(document.input)) {
+        const Session session = *std::exchange(pending_, std::nullopt);
+        try {
+            Document shown = document;
+            apply_session(session, shown);
+            bench_.documents()->restore(shown.settings, shown.camera, shown.cursor_mm);
+            expected = QString::fromStdString(session.sha256);
+            file_ = pending_file_;
+            restoreInspection(session);
+            Q_EMIT restored();
+        } catch (const Error& error) {
+            bench_.report(error);
+        }
+    }
+    pending_.reset();
+    dirty_ = true;  // what was opened is worth coming back to
+    bench_.window()->setWindowModified(false);
+    checkVoxels(expected);
+}
+
+/// Hashes the voxels beside everything else: sessions are saved with it, and one just opened is held against it.
+void SessionFeature::checkVoxels(const QString& expected) {
+    hash_.start(
+        [volume = bench_.documents()->document().volume](const JobContext& job) { return voxel_sha256(volume, job); },
+        [this, expected](Outcome<std::string> outcome) {
+            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+            sha256_ = std::get<0>(outcome);
+            if (!expected.isEmpty() && expected.toStdString() != sha256_)
+                bench_.messages()->showError(
+                    tr("The data changed since this session was saved: its voxels are not the same. Measurements "
+                       "and decisions may not fit what is shown; save the session under another name to keep both."));
+        });
+}
+
+void SessionFeature::restoreInspection(const Session& session) {
+    if (session.criteria.empty()) return;
+    const Criteria criteria = parse_criteria(session.criteria, session.input);
+    inspection_.panel()->setCriteria(criteria);
+    connect(
+        &inspection_, &InspectionFeature::finished, this,
+        [this, decisions = session.decisions] {
+            const auto& found = bench_.documents()->document().inspection;
+            if (!found) return;
+            for (const HandDecision& decision : decisions)
+                if (decision.defect >= 1 && decision.defect <= found->defects.size())
+                    inspection_.panel()->decide(decision.defect, decision.accepted,
+                                                QString::fromStdString(decision.reason));
+        },
+        Qt::SingleShotConnection);
+    inspection_.inspect(criteria.detection);
+}
+
+void SessionFeature::autosave() {
+    if (!dirty_ || write_.running() || !bench_.documents()->hasDocument()) return;
+    dirty_ = false;
+    since_autosave_.restart();
+    write_.start(
+        [session = current(), file = autosave_file_](const JobContext&) {
+            save_session(session, file.toStdString());
+            return true;
+        },
+        [this](Outcome<bool> outcome) {
+            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+            Q_EMIT autosaved();
+        });
+}
+
+/// The autosave of what is leaving the window becomes the last session.
+void SessionFeature::keepAsLast() {
+    if (!QFileInfo::exists(autosave_file_)) return;
+    QFile::remove(lastFile());
+    QFile::rename(autosave_file_, lastFile());
+}
+
+void SessionFeature::offerRecovery() {
+    const QDir folder = autosaveFolder();
+    QStringList left;
+    for (const QFileInfo& info : folder.entryInfoList({QStringLiteral("autosave-*.lacuna")}, QDir::Files, QDir::Time)) {
+        QLockFile owner(folder.filePath(info.completeBaseName() + QStringLiteral(".lock")));
+        owner.setStaleLockTime(0);
+        if (info.filePath() != autosave_file_ && owner.tryLock(0)) left << info.filePath();
+    }
+    if (left.isEmpty()) return;
+    if (bench_.loader()->loading()) {  // its start would wipe the question away
+        connect(bench_.loader(), &LoadController::finished, this, &SessionFeature::offerRecovery,
+                Qt::SingleShotConnection);
+        return;
+    }
+    const QString file = left.front();  // another one is offered the next time
+    const QString when = QLocale().toString(QFileInfo(file).lastModified(), QLocale::ShortFormat);
+    bench_.messages()->ask(tr("Lacuna did not end as it should. What was open was last kept at %1.").arg(when),
+                           {{tr("Restore"),
+                             [this, file] {
+                                 QFile::remove(lastFile());
+                                 QFile::rename(file, lastFile());
+                                 openFile(lastFile());
+                             }},
+                            {tr("Discard"), [file] { QFile::remove(file); }}});
+}
+
+}  // namespace lacuna::ui

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <QDir>
+#include <QLockFile>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "core/session/session_file.h"
+#include "ui/features/inspection_feature.h"
+#include "ui/workbench.h"
+
+namespace lacuna::ui {
+
+/// Sessions in the window: save, open, save by itself, and come back after a crash. What was open when a window closed
+/// can be opened again.
+class SessionFeature final : public QObject {
+    Q_OBJECT
+public:
+    SessionFeature(Workbench& bench, InspectionFeature& inspection);
+    ~SessionFeature() override;
+
+    /// Opens the session's data, then shows it as it was left. What is open stays until the data has been read.
+    void openFile(const QString& file);
+    /// Writes the open document's session; off the window's thread, because the voxels' hash belongs to it.
+    void saveTo(const QString& file);
+    /// Writes the session to the user's data folder at once, if anything changed since the last time.
+    void autosave();
+    /// The window closes: what is open becomes the last session.
+    void finish();
+    static QDir autosaveFolder();
+    static QString lastFile();
+
+public Q_SLOTS:
+    void save();
+    void saveAs();
+
+Q_SIGNALS:
+    void saved(const QString& file);
+    void restored();  ///< a session is shown as it was left, but for an inspection that may still run
+    void autosaved();
+
+private:
+    void buildMenu();
+    void changed();
+    void documentOpened();
+    void restoreInspection(const Session& session);
+    void checkVoxels(const QString& expected);
+    void offerRecovery();
+    void askForData(Session session, const QString& file);
+    void start(Session session, const QString& file);
+    Session current() const;
+    void keepAsLast();
+
+    Workbench& bench_;
+    InspectionFeature& inspection_;
+    std::optional<Session> pending_;  ///< waits for its data
+    QString pending_file_;
+    QString file_;        ///< where the open session was saved or came from; empty: nowhere yet
+    std::string sha256_;  ///< of the open volume; empty: not known yet
+    bool dirty_ = false;
+    QTimer autosave_timer_;
+    QElapsedTimer since_autosave_;
+    QString autosave_file_;
+    std::unique_ptr<QLockFile> lock_;  ///< tells other windows that the autosave's owner is alive
+    LatestJob<std::string> hash_;
+    LatestJob<bool> write_;
+    Task<QString> save_;
+};
+
+}  // namespace lacuna::ui
