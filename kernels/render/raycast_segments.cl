@@ -23,13 +23,20 @@ typedef struct {
 
 #define NODES LACUNA_SEGMENT_NODES
 
-/// Node coordinate of a value, clamped to the table; 0 for NaN.
+/// Node coordinate of a value, which may lie beyond the table; 0 for NaN.
 INLINE VF node_of(global const float* axis, VF value) {
-    VF node = clamp_of((value - axis[0]) * axis[1], (VF)(0.0f), (VF)((float)(NODES - 1)));
+    VF node = (value - axis[0]) * axis[1];
 #if LACUNA_VOXEL == 4
     node = MASK(node == node) ? node : (VF)(0.0f);
 #endif
     return node;
+}
+
+INLINE VF in_table(VF node) { return clamp_of(node, (VF)(0.0f), (VF)((float)(NODES - 1))); }
+
+/// Opacity of a share of the way on which a whole step has `opacity`.
+INLINE VF opacity_of_share(VF opacity, VF share) {
+    return 1.0f - exp2(share * log2(max_of(1.0f - opacity, (VF)(1e-30f))));
 }
 
 /// Opacity of a step and the colour it shows, between the nodes; colours weigh by their opacity.
@@ -47,6 +54,25 @@ INLINE VF look_up(global const float* opacities, global const uint* colors, VF f
     color->y = (w00 * c00.y + w01 * c01.y + w10 * c10.y + w11 * c11.y) * share;
     color->z = (w00 * c00.z + w01 * c01.z + w10 * c10.z + w11 * c11.z) * share;
     return opacity;
+}
+
+/// Where a segment's values leave the table only a share of its way lies within; before and behind that the value
+/// changes, but what it is drawn as does not. @param front, back  nodes as they are; f, b  the same, within the table
+INLINE void add_ends(global const float* opacities, global const uint* colors, VF front, VF back, VF f, VF b,
+                     VF* opacity, VF3* color) {
+    VF way = back - front, inverse = 1.0f / (MASK(way == (VF)(0.0f)) ? (VF)(1.0f) : way);
+    VI parted = MASK(f != b);   // wholly beyond: the table's end stands for all of it
+    VI at_f = TO_INT(f) * (VI)(NODES + 1), at_b = TO_INT(b) * (VI)(NODES + 1);
+    VF within = opacity_of_share(*opacity, (b - f) * inverse);
+    VF before = opacity_of_share(gather_float(opacities, at_f), (f - front) * inverse);
+    VF behind = opacity_of_share(gather_float(opacities, at_b), (back - b) * inverse);
+    VF3 c_f = unpack_color(gather_uint(colors, at_f)), c_b = unpack_color(gather_uint(colors, at_b));
+    VF w = (1.0f - before) * within, w_b = (1.0f - before) * (1.0f - within) * behind;
+    VF whole = before + w + w_b, share = 1.0f / max_of(whole, (VF)(1e-20f));
+    color->x = parted ? (before * c_f.x + w * color->x + w_b * c_b.x) * share : color->x;
+    color->y = parted ? (before * c_f.y + w * color->y + w_b * c_b.y) * share : color->y;
+    color->z = parted ? (before * c_f.z + w * color->z + w_b * c_b.z) * share : color->z;
+    *opacity = parted ? whole : *opacity;
 }
 
 kernel void raycast_segments(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
@@ -99,7 +125,8 @@ kernel void raycast_segments(global const voxel_t* restrict volume, constant Ray
             }
             VF back = sample_volume(volume, p, ray_at(&r, b));
             COUNT(samples += sum_lanes(counted(here));)
-            VF n_front = node_of(segment_axis, front), n_back = node_of(segment_axis, back);
+            VF at_front = node_of(segment_axis, front), at_back = node_of(segment_axis, back);
+            VF n_front = in_table(at_front), n_back = in_table(at_back);
             VI good = here & MASK(front == front) & MASK(back == back);
             front = back;
             held = j + 1;
@@ -110,10 +137,11 @@ kernel void raycast_segments(global const voxel_t* restrict volume, constant Ray
             if (!any_lane(shown)) continue;
             VF3 color;
             VF opacity = look_up(segment_opacity, segment_color, n_front, n_back, i_front, i_back, &color);
+            if (any_lane(shown & (MASK(at_front != n_front) | MASK(at_back != n_back))))
+                add_ends(segment_opacity, segment_color, at_front, at_back, n_front, n_back, &opacity, &color);
             VI cut_short = shown & MASK(b - a < (VF)(0.9999f));
             if (any_lane(cut_short)) {   // the same values over a shorter way: the same extinction a length
-                VF less = 1.0f - exp2((b - a) * log2(max_of(1.0f - opacity, (VF)(1e-30f))));
-                opacity = cut_short ? less : opacity;
+                opacity = cut_short ? opacity_of_share(opacity, b - a) : opacity;
             }
             if (p->shading != 0) {
                 VF magnitude;
