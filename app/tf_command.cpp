@@ -1,9 +1,12 @@
 // lacuna tf: transfer-function presets, shown or fitted to data.
 
+#include <algorithm>
+#include <filesystem>
+
 #include "app/command.h"
 #include "app/input_options.h"
 #include "core/base/atomic_file.h"
-#include "core/classify/transfer_function.h"
+#include "core/classify/preset_file.h"
 #include "core/volume/statistics.h"
 
 namespace lacuna::cli {
@@ -21,29 +24,36 @@ Volume hounsfield_scale() {
     return volume;
 }
 
-void print_or_write(Console& console, const TransferFunction& tf, const std::string& target) {
-    if (target.empty()) {
-        std::string text = to_json(tf);
-        if (!text.ends_with('\n')) text += '\n';
-        console.print(text);
-    } else {
-        save_transfer_function(tf, target);
-    }
+void print_or_write(Console& console, const PresetFile& preset, const std::string& target) {
+    if (target.empty())
+        console.print(to_json(preset));
+    else
+        save_preset(preset, target);
+}
+
+bool is_preset(const std::string& name) {
+    const std::vector<std::string> names = preset_names();
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 void add_show(CLI::App& tf, Action& chosen) {
-    CLI::App* show = tf.add_subcommand("show", "print a preset, fitted to an input or on the Hounsfield scale");
+    CLI::App* show = tf.add_subcommand(
+        "show", "print a preset with its technique, fitted to an input or on the Hounsfield scale; or check a file");
     show->footer("Example: lacuna tf show bone scans/head > bone.json");
     auto input = std::make_shared<InputOptions>();
     auto name = std::make_shared<std::string>();
-    show->add_option("NAME", *name, "preset, as listed by lacuna tf list")->required();
+    show->add_option("NAME", *name, "preset, as listed by lacuna tf list, or a transfer-function file")->required();
     input->add_to(*show, false);
     show->callback([&chosen, input, name] {
         chosen = [input, name](Console& console) {
+            if (!is_preset(*name) && std::filesystem::is_regular_file(*name)) {
+                print_or_write(console, load_preset(*name), "");
+                return 0;
+            }
             input->check();
             const Volume volume = input->input.empty() ? hounsfield_scale() : input->load(console);
-            print_or_write(console, make_preset(*name, volume, compute_statistics(volume, console.job("Measuring"))),
-                           "");
+            const VolumeStatistics statistics = compute_statistics(volume, console.job("Measuring"));
+            print_or_write(console, {make_preset(*name, volume, statistics), technique_of_preset(*name)}, "");
             return 0;
         };
     });
@@ -62,7 +72,7 @@ void add_fit(CLI::App& tf, Action& chosen) {
             input->check();
             const Volume volume = input->load(console);
             const VolumeStatistics statistics = compute_statistics(volume, console.job("Measuring"));
-            print_or_write(console, fit_transfer_function(volume, statistics), *target);
+            print_or_write(console, {fit_transfer_function(volume, statistics), {}}, *target);
             return 0;
         };
     });

@@ -30,6 +30,8 @@ bool same(const ColorOpacity& a, const ColorOpacity& b) { return a.opacity == b.
 PlateauTable::PlateauTable(const Classification& classes) {
     const auto add = [&](const TransferFunction& tf) {
         for (const TransferPoint& p : tf.points) ends_.push_back(p.value);
+        if (!tf.is_2d()) return;
+        for (const TransferShape& shape : tf.shapes) ends_.insert(ends_.end(), {shape.values().lo, shape.values().hi});
     };
     add(classes.tf);
     for (const SegmentationRange& r : classes.ranges) {
@@ -42,8 +44,9 @@ PlateauTable::PlateauTable(const Classification& classes) {
     // Between two ends the classification is linear: level if it is so at two values.
     const auto level_at = [&](double a, double b) {
         const ColorOpacity at_a = classes.at(a), at_b = classes.at(b);
-        return classes.range_of(a) == classes.range_of(b) &&
-               (same(at_a, at_b) || (!(at_a.opacity > 0) && !(at_b.opacity > 0)));
+        if (!(at_a.opacity > 0) && !(at_b.opacity > 0)) return classes.range_of(a) == classes.range_of(b);
+        // Within a shape, what is seen of a value also depends on the gradient, to an extent that differs by value.
+        return classes.range_of(a) == classes.range_of(b) && same(at_a, at_b) && !classes.function_of(a).is_2d();
     };
     const double before = ends_.front(), behind = ends_.back();
     level_.push_back(

@@ -146,7 +146,9 @@ HomogeneityTable::HomogeneityTable(const Classification& classification, ValueRa
     for (int i = 0; i < k_entries; ++i) {
         const double value = entries_per_unit_ > 0 ? values.lo + i / entries_per_unit_ : values.lo;
         const std::array<int, 4> now = steps_of(classification.at(value), threshold);
-        changes_[std::size_t(i)] = i == 0 ? 0 : changes_[std::size_t(i) - 1] + (now != before);
+        // What shapes show also depends on the gradient: no two values they show are alike.
+        const bool shaped = now[0] >= 0 && classification.function_of(value).is_2d();
+        changes_[std::size_t(i)] = i == 0 ? 0 : changes_[std::size_t(i) - 1] + (shaped || now != before);
         before = now;
     }
 }

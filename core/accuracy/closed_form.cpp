@@ -140,15 +140,15 @@ private:
         const TransferFunction& tf = scene_.classification.tf;
         march(line, [&](double t, double step) {
             const double v = value(line, t);
-            const ColorOpacity seen = tf.at(v);
+            ColorOpacity seen = tf.at(v);
             if (!(seen.opacity > 0)) return;
-            double opacity = seen.opacity, c = 0;
-            if (scene_.shading != Shading::none || !tf.gradient_opacity.empty()) {
+            double c = 0;
+            if (scene_.shading != Shading::none || tf.uses_gradient()) {
                 const glm::dvec3 g = gradient(line.at(t));
-                opacity *= tf.gradient_factor(glm::length(g));
+                if (tf.uses_gradient()) seen = tf.at(v, glm::length(g));
                 c = facing(line, g);
             }
-            const double a = correct_opacity(opacity, step, tf.unit_distance_mm);
+            const double a = correct_opacity(seen.opacity, step, tf.unit_distance_mm);
             color += (1 - alpha) * a * shade(scene_.shading, seen.color, c);
             alpha += (1 - alpha) * a;
             if (alpha > 0.5 && depth == k_nothing) depth = t;
@@ -188,7 +188,7 @@ void check_closed_form(const Scene& scene, const AnalyticSample& sample) {
     if (!scene.cuts.empty()) refuse("a scene with cuts");
     if (!scene.classification.ranges.empty()) refuse("a scene with segmentation ranges");
     if (!scene.effects.empty()) refuse("a scene with effects");
-    const bool gradients = scene.shading != Shading::none || !scene.classification.tf.gradient_opacity.empty();
+    const bool gradients = scene.shading != Shading::none || scene.classification.uses_gradient();
     if (scene.mode == ViewMode::ea && gradients && sample.background != sample.material)
         refuse("shaded emission-absorption of solid parts (take --shading none)");
 }

@@ -16,12 +16,20 @@ bool Classification::in_ranges(double value) const {
     return ranges.empty() ? !std::isnan(value) : range_of(value) >= 0;
 }
 
+bool Classification::uses_gradient() const {
+    return tf.uses_gradient() || std::any_of(ranges.begin(), ranges.end(), [](const SegmentationRange& range) {
+               return range.tf && range.tf->uses_gradient();
+           });
+}
+
+const TransferFunction& Classification::function_of(double value) const {
+    const int index = range_of(value);
+    return index >= 0 && ranges[std::size_t(index)].tf ? *ranges[std::size_t(index)].tf : tf;
+}
+
 ColorOpacity Classification::at(double value) const {
     if (ranges.empty()) return tf.at(value);
-    const int index = range_of(value);
-    if (index < 0) return {};
-    const std::optional<TransferFunction>& own = ranges[std::size_t(index)].tf;
-    return own ? own->at(value) : tf.at(value);
+    return range_of(value) < 0 ? ColorOpacity{} : function_of(value).at(value);
 }
 
 double iso_measure(const Classification& classification, double iso, double value) {

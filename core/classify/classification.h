@@ -11,7 +11,7 @@ namespace lacuna {
 struct SegmentationRange {
     std::string name;
     ValueRange range;
-    std::optional<TransferFunction> tf;   ///< its own inside the range; else the scene's
+    std::optional<TransferFunction> tf;  ///< its own inside the range; else the scene's
     friend bool operator==(const SegmentationRange&, const SegmentationRange&) = default;
 };
 
@@ -19,7 +19,7 @@ struct SegmentationRange {
 /// all of them are transparent; where ranges overlap, the first in the list counts.
 struct Classification {
     TransferFunction tf;
-    std::vector<SegmentationRange> ranges;   ///< at most k_max_ranges
+    std::vector<SegmentationRange> ranges;  ///< at most k_max_ranges
 
     static constexpr std::size_t k_max_ranges = 8;
 
@@ -27,7 +27,11 @@ struct Classification {
     int range_of(double value) const;
     /// True if the ranges (not the opacity) let this value through. NaN: false.
     bool in_ranges(double value) const;
-    /// Colour and opacity per unit distance; opacity 0 outside the ranges and for NaN.
+    /// Whether what is seen of a value depends on the gradient there, by any of the functions.
+    bool uses_gradient() const;
+    /// The function that counts for a value: its range's own, else the scene's.
+    const TransferFunction& function_of(double value) const;
+    /// TransferFunction::at of the function that counts; opacity 0 outside the ranges and for NaN.
     ColorOpacity at(double value) const;
     friend bool operator==(const Classification&, const Classification&) = default;
 };
@@ -42,7 +46,7 @@ class VisibilityTable {
 public:
     enum class Answer : std::uint8_t { none = 0, all = 1, some = 2 };
 
-    /// A value counts as visible when its opacity under the classification is above 0.
+    /// A value counts as visible when its opacity under the classification is above 0, at some gradient magnitude.
     static VisibilityTable of_opacity(const Classification& classification, ValueRange values);
     /// A value counts as visible when it lies inside the isosurface: iso_measure >= 0.
     static VisibilityTable of_iso(const Classification& classification, double iso, ValueRange values);
@@ -53,10 +57,11 @@ public:
     Answer query(ValueRange range) const;
 
 private:
-    template <class Visible> static VisibilityTable build(ValueRange values, Visible&& any_and_all);
+    template <class Visible>
+    static VisibilityTable build(ValueRange values, Visible&& any_and_all);
     ValueRange values_;
     double bins_per_unit_ = 0;
-    std::vector<std::uint32_t> any_, gap_;   ///< prefix counts of bins holding something visible / something invisible
+    std::vector<std::uint32_t> any_, gap_;  ///< prefix counts of bins holding something visible / something invisible
 };
 
 }  // namespace lacuna

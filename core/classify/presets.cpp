@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/classify/transfer_function.h"
+#include "core/classify/preset_file.h"
 
 namespace lacuna {
 
@@ -124,6 +124,12 @@ std::vector<std::string> preset_names() {
     std::vector<std::string> names;
     for (const Preset& p : k_presets) names.emplace_back(p.name);
     return names;
+}
+
+Technique technique_of_preset(const std::string& name) {
+    // Films of little opacity are dimmed to nothing by shading that follows noise; surfaces live by it.
+    const bool films = name == "lung" || name == "grey";
+    return {"ea", films ? "none" : "phong", 0.5};
 }
 
 TransferFunction make_preset(const std::string& name, const Volume& volume, const VolumeStatistics& statistics) {

@@ -58,6 +58,12 @@ void add_range_cuts(std::vector<double>& cuts, const Classification& classificat
 
 void add_point_cuts(std::vector<double>& cuts, const TransferFunction& tf) {
     for (const TransferPoint& p : tf.points) cuts.push_back(p.value);
+    if (!tf.is_2d()) return;
+    for (const TransferShape& shape : tf.shapes) {
+        // Seen is one stretch of values. With soft sides its ends are open; a side that meets another in a point can
+        // open or close it there, so that all corners are cuts.
+        for (const ValueRange& side : {shape.at_lo, shape.at_hi}) cuts.insert(cuts.end(), {side.lo, side.hi});
+    }
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ public:
             hi = std::max(hi, v);
         };
         const auto cover_points = [&](const TransferFunction& tf) {
-            for (const TransferPoint& point : tf.points) cover(point.value);
+            cover(tf.extent().lo);
+            cover(tf.extent().hi);
         };
         cover_points(classes.tf);
         for (const SegmentationRange& range : classes.ranges) {
@@ -45,11 +46,8 @@ public:
         per_value_ = (k_bins - 1) / (hi + margin - lo_);
         for (int i = 0; i < k_bins; ++i) {
             const double value = lo_ + i / per_value_;
-            const int range = classes.range_of(value);
-            const TransferFunction& tf = range >= 0 && classes.ranges[std::size_t(range)].tf
-                                             ? *classes.ranges[std::size_t(range)].tf
-                                             : classes.tf;
-            table_[std::size_t(i)] = float(correct_opacity(classes.at(value).opacity, step_mm, tf.unit_distance_mm));
+            const double unit_mm = classes.function_of(value).unit_distance_mm;
+            table_[std::size_t(i)] = float(correct_opacity(classes.at(value).opacity, step_mm, unit_mm));
         }
     }
     double at(double value) const {

@@ -37,7 +37,7 @@ struct OpenClRenderer::Tables {
     std::vector<TransferFunction> of_regions;
     double step_mm = 0;
     TransferTables host;
-    cl::Buffer opacity, color, gradient;
+    cl::Buffer opacity, color, gradient, shapes;
 };
 
 /// The region classes of the view drawn last; keeps the bytes alive while the device reads them.
@@ -113,6 +113,7 @@ void OpenClRenderer::make_tables(const Scene& scene, double step_mm) {
     next->opacity = upload(host.opacity);
     next->color = upload(host.color);
     if (host.uses_gradient) next->gradient = upload(host.gradient_factor);
+    if (!host.shapes.empty()) next->shapes = upload(host.shapes);
     tables_ = std::move(next);
 }
 
@@ -143,7 +144,8 @@ cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, const B
         source = "render/raycast_segments.cl", name = "raycast_segments";
     } else if (scene.mode == ViewMode::ea) {
         source = "render/raycast_ea.cl", name = "raycast_ea";
-        extra = std::string(" -DLACUNA_GRADIENT_OPACITY=") + (tables_->host.uses_gradient ? "1" : "0");
+        extra = std::string(" -DLACUNA_GRADIENT_OPACITY=") + (tables_->host.uses_gradient ? "1" : "0") +
+                (tables_->host.shapes.empty() ? "" : " -DLACUNA_SHAPES=1");
     } else {
         const int projection = scene.mode == ViewMode::mip     ? 0
                                : scene.mode == ViewMode::minip ? 1
@@ -266,6 +268,7 @@ void OpenClRenderer::bind(cl::Kernel& kernel, const Cast& cast, const RayParams&
     kernel.setArg(arg++, output_->color);
     kernel.setArg(arg++, output_->depth);
     if (ea && cast.tables->uses_gradient) kernel.setArg(arg++, tables_->gradient);
+    if (ea && !cast.tables->shapes.empty()) kernel.setArg(arg++, tables_->shapes);
     if (cast.scene.regions && !cast.structure.own_kernel) kernel.setArg(arg++, classes_->buffer);
     for (const cl::Buffer& buffer : cast.structure.buffers) kernel.setArg(arg++, buffer);
     if (cast.count) kernel.setArg(arg++, output_->counters);

@@ -69,13 +69,11 @@ void check_leap(const Plan& plan, const Scene& scene) {
     if (scene.regions)
         throw Error(Errc::bad_usage, "The leaping kernel '" + std::string(name_of(leap.kernel)) +
                                          "' shows all regions alike; 'lossless' hides some or draws them its own way.");
-    bool gradients = scene.shading != Shading::none || !scene.classification.tf.gradient_opacity.empty();
-    for (const SegmentationRange& range : scene.classification.ranges)
-        gradients = gradients || (range.tf && !range.tf->gradient_opacity.empty());
+    const bool gradients = scene.shading != Shading::none || scene.classification.uses_gradient();
     if (scene.mode != ViewMode::ea || gradients || plan.sampler != Sampler::linear)
         throw Error(Errc::bad_usage,
                     "The leaping kernel '" + std::string(name_of(leap.kernel)) +
-                        "' serves mode ea without shading and gradient opacity, sampled linearly; 'lossless' serves "
+                        "' serves mode ea without shading and opacity by gradient, sampled linearly; 'lossless' serves "
                         "the rest.");
 }
 
@@ -268,10 +266,8 @@ void check_methods(const Plan& plan, const Scene& scene) {
         refuse("Pre-integrated segments take values to change linearly: they go with the sampler linear alone.");
     if (plan.homogeneity > 0 || plan.homogeneity_angle_deg > 0)
         refuse("Homogeneous runs do not go with pre-integrated segments; take the integration riemann.");
-    bool by_gradient = !scene.classification.tf.gradient_opacity.empty();
-    for (const SegmentationRange& range : scene.classification.ranges)
-        by_gradient = by_gradient || (range.tf && !range.tf->gradient_opacity.empty());
-    if (by_gradient) refuse("Gradient opacity cannot be integrated over values alone; take the integration riemann.");
+    if (scene.classification.uses_gradient())
+        refuse("Opacity by gradient cannot be integrated over values alone; take the integration riemann.");
 }
 
 }  // namespace

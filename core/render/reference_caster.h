@@ -85,10 +85,7 @@ private:
     const TransferFunction& function_of(const LatticeRay& ray, double t, double value) const {
         if (const std::uint8_t c = class_at(ray, t); c > 0 && c < RegionClasses::k_hidden)
             return scene_.regions.functions[std::size_t(c) - 1];
-        const Classification& classes = scene_.classification;
-        const int range = classes.range_of(value);
-        return range >= 0 && classes.ranges[std::size_t(range)].tf ? *classes.ranges[std::size_t(range)].tf
-                                                                   : classes.tf;
+        return scene_.classification.function_of(value);
     }
     ColorOpacity classified(const LatticeRay& ray, double t, double value) const {
         return scene_.classification.in_ranges(value) ? function_of(ray, t, value).at(value) : ColorOpacity{};
@@ -257,15 +254,15 @@ Pixel Caster<T>::emission_absorption(const LatticeRay& ray) {
         if (!(shown.opacity > 0)) continue;
         const TransferFunction& tf = function_of(ray, t, value);
 
-        double opacity = shown.opacity, c = 0;
-        if (scene_.shading != Shading::none || !tf.gradient_opacity.empty()) {
+        ColorOpacity here = shown;
+        double c = 0;
+        if (scene_.shading != Shading::none || tf.uses_gradient()) {
             const glm::dvec3 gradient = field_.gradient(ray.at(t), sobel_);
-            const double length = glm::length(gradient);
-            if (!tf.gradient_opacity.empty()) opacity *= tf.gradient_factor(length > 0 ? length : 0);
+            if (tf.uses_gradient()) here = tf.at(value, glm::length(gradient));
             c = facing(ray, gradient);
         }
-        const double a = correct_opacity(opacity, ray.step_mm, tf.unit_distance_mm);
-        color += (1 - alpha) * a * shade(scene_.shading, shown.color, c);
+        const double a = correct_opacity(here.opacity, ray.step_mm, tf.unit_distance_mm);
+        color += (1 - alpha) * a * shade(scene_.shading, here.color, c);
         alpha += (1 - alpha) * a;
         if (alpha > 0.5 && depth == k_nothing) depth = t;
         if (plan_.ert > 0 && alpha > 1 - plan_.ert) break;

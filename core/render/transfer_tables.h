@@ -17,10 +17,13 @@ struct TransferTables {
     std::vector<float> opacity;          ///< of one step, opacity-corrected; with gradient opacity per unit distance
     std::vector<std::uint32_t> color;    ///< red 11 bits (lowest), green 11, blue 10
     std::vector<float> scale, lo;        ///< a row
-    bool uses_gradient = false;          ///< any row has a gradient-opacity curve
+    bool uses_gradient = false;          ///< any row has a gradient-opacity curve or shapes
     std::vector<float> gradient_factor;  ///< 1024 a row; entry = round(magnitude * gradient_scale)
     std::vector<float> gradient_scale, exponent;  ///< a row; exponent = step over unit distance
-    double slack = 0;                             ///< largest distance from a value to the value its entry was made for
+    /// Empty where no row has any; else their number, then 12 numbers each (shapes.clh). A row with shapes has in
+    /// `opacity` the most any magnitude gives, so that 0 means clear, and factors of 1.
+    std::vector<float> shapes;
+    double slack = 0;  ///< largest distance from a value to the value its entry was made for
 
     std::size_t rows() const { return scale.size(); }
 };

@@ -2,12 +2,14 @@
 //   volume     voxels, x fastest                         lut_opacity  float a table entry: opacity of one step, or with
 //   lut_color  11-11-10 bit colour a table entry                      LACUNA_GRADIENT_OPACITY per unit distance
 //   gradient_factor  1024 floats a row (only then)       color/depth  see output.clh
+//   shapes     see shapes.clh (only with LACUNA_SHAPES, which goes with LACUNA_GRADIENT_OPACITY)
 #include "shared/ray_params.h"
 #include "include/packet.clh"
 #include "include/volume.clh"
 #include "include/ray.clh"
 #include "include/carry.clh"
 #include "include/classify.clh"
+#include "include/shapes.clh"
 #include "include/shade.clh"
 #include "include/gradient.clh"
 #include "include/adaptive.clh"
@@ -21,7 +23,7 @@ typedef struct {
 #include "include/skip.clh"
 
 #if LACUNA_GRADIENT_OPACITY
-#define GRADIENT_ARGS , global const float* restrict gradient_factor
+#define GRADIENT_ARGS , global const float* restrict gradient_factor SHAPE_ARGS
 /// Opacity of one step from that per unit distance and the gradient's factor: 1-(1-a f)^(step/unit).
 INLINE VF faded(constant RayParams* p, global const float* factors, VF opacity, VF magnitude, VI row) {
     VF scale = (VF)(p->grad_scale[0]), exponent = (VF)(p->exponent[0]);
@@ -41,8 +43,13 @@ INLINE VF faded(constant RayParams* p, global const float* factors, VF opacity, 
 
 #if LACUNA_RUNS
 #if LACUNA_GRADIENT_OPACITY
+#if LACUNA_SHAPES
+#define RUN_GRADIENT_ARG , global const float* gradient_factor, global const float* shapes
+#define RUN_GRADIENT , gradient_factor, shapes
+#else
 #define RUN_GRADIENT_ARG , global const float* gradient_factor
 #define RUN_GRADIENT , gradient_factor
+#endif
 #else
 #define RUN_GRADIENT_ARG
 #define RUN_GRADIENT
@@ -60,13 +67,14 @@ INLINE void add_run(constant RayParams* p, global const float* lut_opacity, glob
 #endif
     VI entry = lut_index(p, value, row);
     VF opacity = gather_float(lut_opacity, entry);
+    VF3 color = unpack_color(gather_uint(lut_color, entry));
 #if LACUNA_GRADIENT_OPACITY
+    BY_SHAPES(value, magnitude, row, &opacity, &color);
     opacity = faded(p, gradient_factor, opacity, magnitude, row);
 #endif
     VI first = max_of_int(r->first, (VI)(k)), samples = min_of_int(r->end, (VI)(k + count)) - first;
     VI shown = inside & MASK(opacity > zero) & MASK(samples > (VI)(0)) & MASK(*clear >= floor_t) & MASK(*clear > zero);
     if (!any_lane(shown)) return;
-    VF3 color = unpack_color(gather_uint(lut_color, entry));
     shade(p, cosine, &color);
     VF per_sample = log2(max_of(1.0f - opacity, (VF)(1e-30f)));
     VF n = TO_FLOAT(samples);
@@ -163,6 +171,7 @@ kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams
             VF3 color = unpack_color(gather_uint(lut_color, entry));
 #if LACUNA_GRADIENT_OPACITY
             VF magnitude, cosine = facing(p, &r, gradient(volume, p, ray_at(&r, (VF)((float)k))), &magnitude);
+            BY_SHAPES(value, magnitude, row, &opacity, &color);
             opacity = faded(p, gradient_factor, opacity, magnitude, row);
             shade(p, cosine, &color);
 #else

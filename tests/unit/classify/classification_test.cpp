@@ -167,5 +167,39 @@ TEST(VisibilityTableTest, NeverSaysNoneOrAllWrongly) {
     EXPECT_GT(certain, 0.9 * possible) << "conservative, but too coarse to be of use";
 }
 
+TEST(VisibilityTableTest, AValueIsNoneOnlyWhereNoGradientCouldShowIt) {
+    std::mt19937 random(11);
+    const auto number = [&](int most) { return double(random() % unsigned(most)); };
+    int none = 0, some = 0;
+    for (int round = 0; round < 60; ++round) {
+        Classification c{ramp(0, 40, 1, 1), {}};
+        for (unsigned i = 0; i < 1 + random() % 3; ++i) {
+            const double m = number(20), a = number(30), b = number(30);
+            c.tf.shapes.push_back({{m, m + 1 + number(9)},
+                                   {a, a + number(6)},
+                                   {b, b + number(6)},
+                                   glm::dvec3(1),
+                                   number(3) / 2,
+                                   number(3) / 2});
+        }
+        const VisibilityTable table = VisibilityTable::of_opacity(c, {0, 40});
+        for (double lo = 0; lo < 40; lo += 1.25)
+            for (const double width : {0.0, 0.5, 3.0}) {
+                bool any = false, all = true;
+                for (double v = lo; v <= lo + width; v += 0.125) {
+                    for (double m = 0; m <= 32; m += 0.125) any = any || c.tf.at(v, m).opacity > 0;
+                    all = all && c.tf.at(v).opacity > 0;  // shapes may be narrower than the steps over magnitudes
+                }
+                const Answer answer = table.query({lo, lo + width});
+                if (any) ASSERT_NE(answer, Answer::none) << round << " at " << lo;
+                if (!all) ASSERT_NE(answer, Answer::all) << round << " at " << lo;
+                none += answer == Answer::none;
+                some += any;
+            }
+    }
+    EXPECT_GT(none, 500);  // it is of use
+    EXPECT_GT(some, 500);
+}
+
 }  // namespace
 }  // namespace lacuna

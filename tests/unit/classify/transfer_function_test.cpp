@@ -8,6 +8,8 @@
 #include <random>
 
 #include "core/base/atomic_file.h"
+#include "core/classify/classification.h"
+#include "core/classify/preset_file.h"
 #include "core/volume/samples.h"
 
 namespace lacuna {
@@ -32,7 +34,6 @@ TransferFunction with_opacities(std::vector<std::pair<double, double>> nodes) {
 TEST(TransferFunctionAt, NanAndNoPointsAreTransparent) {
     EXPECT_EQ(with_opacities({{0, 1}}).at(k_nan).opacity, 0);
     EXPECT_EQ(TransferFunction{}.at(1).opacity, 0);
-    EXPECT_FALSE(TransferFunction{}.any_visible({0, 1}));
 }
 
 TEST(TransferFunctionAt, ConstantOutsideLinearBetween) {
@@ -49,41 +50,8 @@ TEST(TransferFunctionAt, AJumpTakesTheLaterPoint) {
     const TransferFunction tf = with_opacities({{0, 0}, {5, 0}, {5, 1}, {10, 1}});
     EXPECT_EQ(tf.at(std::nextafter(5.0, 0.0)).opacity, 0);
     EXPECT_EQ(tf.at(5).opacity, 1);
-    EXPECT_FALSE(tf.any_visible({0, std::nextafter(5.0, 0.0)}));
-    EXPECT_TRUE(tf.any_visible({5, 5}));
     const TransferFunction down = with_opacities({{0, 1}, {5, 1}, {5, 0}, {10, 0}});
-    EXPECT_FALSE(down.any_visible({5, 10}));
-    EXPECT_TRUE(down.any_visible({4.999, 10}));
-}
-
-TEST(TransferFunctionAt, AnyVisibleFindsAPeakBetweenInvisibleEnds) {
-    const TransferFunction tf = with_opacities({{0, 0}, {5, 1}, {10, 0}});
-    EXPECT_TRUE(tf.any_visible({-5, 50}));
-    EXPECT_FALSE(tf.any_visible({-5, 0}));
-    EXPECT_FALSE(tf.any_visible({10, k_inf}));
-    EXPECT_FALSE(tf.any_visible({7, 3}));
-    EXPECT_FALSE(tf.any_visible({k_nan, 3}));
-}
-
-TEST(TransferFunctionAt, AnyVisibleAgreesWithBruteForce) {
-    std::mt19937 random(7);
-    for (int round = 0; round < 300; ++round) {
-        std::vector<std::pair<double, double>> nodes;
-        double v = double(random() % 5);
-        for (unsigned i = 0; i < 1 + random() % 6; ++i) {
-            nodes.emplace_back(v, random() % 3 ? 0.0 : 0.5);
-            const bool jump = nodes.size() < 2 || nodes[nodes.size() - 2].first != v;
-            v += double(jump ? random() % 4 : 1 + random() % 3);
-        }
-        const TransferFunction tf = with_opacities(nodes);
-        ASSERT_NO_THROW(check(tf));
-        for (int lo = -2; lo < 20; ++lo)
-            for (int hi = lo; hi < 20; ++hi) {
-                bool any = false;
-                for (int s = lo * 8; s <= hi * 8; ++s) any = any || tf.at(s / 8.0).opacity > 0;
-                ASSERT_EQ(tf.any_visible({double(lo), double(hi)}), any) << to_json(tf) << lo << ".." << hi;
-            }
-    }
+    EXPECT_EQ(down.at(5).opacity, 0);
 }
 
 TEST(GradientFactor, CurveAndItsEnds) {
@@ -151,7 +119,21 @@ INSTANTIATE_TEST_SUITE_P(
         BadFunction{"gradient",
                     R"({"points":[{"value":1,"color":[1,1,1],"opacity":1}],)"
                     R"("gradient_opacity":[{"magnitude":-1,"opacity":0}]})",
-                    "gradient_opacity[0].magnitude"}),
+                    "gradient_opacity[0].magnitude"},
+        BadFunction{"version_text", R"({"version":"two","points":[]})", "\"version\""},
+        BadFunction{"shape_flat",
+                    R"({"points":[{"value":1,"color":[1,1,1],"opacity":1}],"shapes":[{"magnitude":[2,2],)"
+                    R"("values_at_lo":[0,1],"color":[1,1,1],"opacity":1}]})",
+                    "shapes[0].magnitude"},
+        BadFunction{"shape_turned",
+                    R"({"points":[{"value":1,"color":[1,1,1],"opacity":1}],"shapes":[{"magnitude":[1,2],)"
+                    R"("values_at_lo":[0,1],"values_at_hi":[3,1],"color":[1,1,1],"opacity":1}]})",
+                    "shapes[0].values_at_hi"},
+        BadFunction{"technique_word",
+                    R"({"points":[{"value":1,"color":[1,1,1],"opacity":1}],"technique":{"fast":true}})",
+                    "\"technique.fast\""},
+        BadFunction{"technique_step", R"({"points":[{"value":1,"color":[1,1,1],"opacity":1}],"technique":{"step":0}})",
+                    "\"technique.step\""}),
     [](const auto& row) { return row.param.name; });
 
 TEST(TransferFunctionJson, ThreePointsAtOneValueAreRefused) {
@@ -172,6 +154,90 @@ TEST(TransferFunctionJson, RoundTripIsExact) {
     EXPECT_EQ(load_transfer_function(file), tf);
     std::filesystem::remove(file);
     EXPECT_THROW(load_transfer_function(file), Error);
+}
+
+TEST(TransferFunctionJson, ShapesAndTechniqueRoundTripAndNameTheirVersion) {
+    PresetFile preset;
+    preset.tf = with_points({{0, {0, 0, 0}, 0.25}});
+    EXPECT_EQ(to_json(preset).find("version"), std::string::npos);  // programs that know version 1 alone read it
+    preset.tf.shapes = {{{0.5, 1e3}, {-10.1, 20}, {1.0 / 3, 2}, {0.1, 0.2, 0.3}, 0.7, 0.9}};
+    preset.tf.by_shapes = false;
+    preset.technique = Technique{"mip", "none", 0.25};
+    const std::string json = to_json(preset);
+    EXPECT_NE(json.find("\"version\": 2"), std::string::npos);
+    EXPECT_EQ(preset_from_json(json, "memory"), preset);
+    EXPECT_EQ(transfer_function_from_json(json, "memory"), preset.tf);
+}
+
+TEST(TransferFunctionJson, ALaterVersionIsRefusedAsSuch) {
+    try {
+        preset_from_json(R"({"version":3,"curves":[]})", "mine.json");
+        FAIL();
+    } catch (const Error& e) {
+        EXPECT_EQ(e.code(), Errc::bad_input);
+        EXPECT_NE(std::string(e.what()).find("version 3"), std::string::npos) << e.what();
+        EXPECT_NE(std::string(e.what()).find("mine.json"), std::string::npos) << e.what();
+    }
+}
+
+TransferShape random_shape(std::mt19937& random) {
+    const auto number = [&](int most) { return double(random() % unsigned(most)); };
+    TransferShape s;
+    s.magnitude.lo = number(4);
+    s.magnitude.hi = s.magnitude.lo + 1 + number(4);
+    s.at_lo.lo = number(12);
+    s.at_lo.hi = s.at_lo.lo + 2 + number(5);
+    s.at_hi.lo = number(12);
+    s.at_hi.hi = s.at_hi.lo + 2 + number(5);
+    s.opacity = number(3) / 2;
+    s.softness = number(3) / 2;
+    return s;
+}
+
+TEST(TransferShape, TheMostOpacityOfAValueIsThatOfSomeMagnitude) {
+    std::mt19937 random(3);
+    for (int round = 0; round < 300; ++round) {
+        const TransferShape shape = random_shape(random);
+        for (double v = -1; v <= 18; v += 0.25) {
+            double most = 0;
+            for (int i = 0; i <= 2000; ++i)
+                most = std::max(most, shape.opacity_at(v, shape.magnitude.lo + i / 2000.0 * shape.magnitude.width()));
+            EXPECT_GE(shape.most_opacity_at(v), most - 1e-12) << round << " at " << v;
+            EXPECT_LE(shape.most_opacity_at(v), most + 0.02) << round << " at " << v;
+        }
+    }
+}
+
+TEST(TransferShape, SidesRunStraightAndSoftnessFallsTowardsThem) {
+    const TransferShape triangle{{10, 20}, {0, 8}, {4, 4}, glm::dvec3(1), 0.5, 0};
+    EXPECT_EQ(triangle.opacity_at(4, 20), 0.5);
+    EXPECT_EQ(triangle.opacity_at(1.99, 15), 0);
+    EXPECT_EQ(triangle.opacity_at(2, 15), 0.5);
+    EXPECT_EQ(triangle.opacity_at(4, 20.01), 0);
+    EXPECT_EQ(triangle.opacity_at(4, k_nan), 0);
+    const TransferShape soft{{0, 1}, {0, 8}, {0, 8}, glm::dvec3(1), 0.5, 0.5};
+    EXPECT_EQ(soft.opacity_at(0, 0.5), 0);
+    EXPECT_EQ(soft.opacity_at(1, 0.5), 0.25);
+    EXPECT_EQ(soft.opacity_at(4, 0.5), 0.5);
+}
+
+TEST(TransferFunctionAt, ShapesAreTheFunctionOfValueAndGradient) {
+    TransferFunction tf = with_points({{0, {0.1, 0.1, 0.1}, 0.9}});
+    tf.gradient_opacity = {{0, 0.5}};
+    tf.shapes = {{{1, 3}, {10, 20}, {10, 20}, {1, 0, 0}, 0.5, 0}, {{2, 4}, {15, 30}, {15, 30}, {0, 0, 1}, 0.25, 0}};
+    EXPECT_EQ(tf.at(12, 0).opacity, 0);
+    EXPECT_EQ(tf.at(12, k_nan).opacity, 0);  // counts as magnitude 0
+    EXPECT_EQ(tf.at(12, 2).opacity, 0.5);
+    const ColorOpacity both = tf.at(17, 2.5);
+    EXPECT_DOUBLE_EQ(both.opacity, 1 - 0.5 * 0.75);
+    EXPECT_DOUBLE_EQ(both.color.r, 0.5 / 0.75);
+    EXPECT_DOUBLE_EQ(both.color.b, 0.25 / 0.75);
+    EXPECT_EQ(tf.at(25).opacity, 0.25);  // what some gradient shows
+    EXPECT_EQ(tf.at(25).color.r, 0.1);   // projections keep the points' colours
+    EXPECT_EQ(tf.extent(), (ValueRange{0, 30}));
+    tf.by_shapes = false;
+    EXPECT_DOUBLE_EQ(tf.at(12, 2).opacity, 0.45);
+    EXPECT_TRUE(tf.uses_gradient());
 }
 
 TEST(TransferFunctionJson, TheContractsExampleLoads) {
@@ -222,7 +288,9 @@ TEST(Presets, AirIsExactlyTransparentAndMatterIsNot) {
         for (const std::string& name : preset_names()) {
             const TransferFunction tf = make_preset(name, s.volume, statistics);
             EXPECT_EQ(tf.at(s.background).opacity, 0) << sample << ' ' << name;
-            EXPECT_TRUE(tf.any_visible(statistics.range)) << sample << ' ' << name;
+            EXPECT_NE(VisibilityTable::of_opacity({tf, {}}, statistics.range).query(statistics.range),
+                      VisibilityTable::Answer::none)
+                << sample << ' ' << name;
             EXPECT_DOUBLE_EQ(tf.unit_distance_mm, s.volume.geometry().smallest_spacing_mm());
         }
         const TransferFunction fitted = fit_transfer_function(s.volume, statistics);
