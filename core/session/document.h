@@ -18,6 +18,7 @@ namespace lacuna {
 struct RangeSetting {
     SegmentationRange range;
     bool enabled = true;
+    glm::dvec3 color{0.25, 0.61, 1.0};  ///< what it is told by, and what "one colour" draws it in; sRGB 0..1
     friend bool operator==(const RangeSetting&, const RangeSetting&) = default;
 };
 

@@ -28,6 +28,7 @@ template <class Archive>
 void fields(Archive& archive, RangeSetting& setting) {
     archive("range", setting.range);
     archive("enabled", setting.enabled);
+    archive("color", setting.color);
 }
 
 template <class Archive>

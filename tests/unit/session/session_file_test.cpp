@@ -64,8 +64,10 @@ ViewSettings unusual_settings(unsigned seed) {
     s.tf.unit_distance_mm = 0.3;
     s.tf.points = {{-1.5, {0.1, 0.2, 1.0 / 3}, 0}, {number(random) + 2000, {1, 0, 0.25}, 0.1}};
     s.tf.gradient_opacity = {{0, 0}, {17.25, 1}};
+    s.tf.shapes = {{{0.5, 17.25}, {-3, 1.0 / 3}, {-1, 0.25}, {0.1, 1, 0}, 0.4, 0.2}};
+    s.tf.by_shapes = false;
     SegmentationRange range{"bone", {0.1, std::numeric_limits<double>::infinity()}, s.tf};
-    s.ranges = {{range, false}, {{"x", {-2, 3}, {}}, true}};
+    s.ranges = {{range, false, {0.2, 0.4, 1.0 / 3}}, {{"x", {-2, 3}, {}}, true}};
     s.cuts = {{{{0.3, -0.4, 0.5}, number(random), false}, false}};
     s.window = {-3, number(random) + 1000};
     s.projection_window = {1, 2};
