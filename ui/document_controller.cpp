@@ -49,6 +49,9 @@ void DocumentController::restore(const ViewSettings& settings, const Camera& cam
 }
 
 void DocumentController::replaceSettings(const ViewSettings& settings) {
+    const Quality &before = document_->settings.quality, &after = settings.quality;
+    if (before.error_budget != after.error_budget || before.time_budget_ms != after.time_budget_ms)
+        document_->planned.reset();  // it answered another question
     document_->settings = ViewSettings(settings);
     Q_EMIT settingsChanged();
     Q_EMIT historyChanged();
@@ -64,6 +67,12 @@ void DocumentController::setCursor(const glm::dvec3& mm) {
     if (!document_ || document_->cursor_mm == mm) return;
     document_->cursor_mm = mm;
     Q_EMIT cursorChanged();
+}
+
+void DocumentController::setPlanned(std::shared_ptr<const ModePlan> planned) {
+    if (!document_ || document_->planned == planned) return;
+    document_->planned = std::move(planned);
+    Q_EMIT plannedChanged();
 }
 
 void DocumentController::setRegions(std::shared_ptr<const RegionTable> regions) {

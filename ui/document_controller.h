@@ -31,6 +31,8 @@ public Q_SLOTS:
     void restore(const lacuna::ViewSettings& settings, const lacuna::Camera& camera, const glm::dvec3& cursor_mm);
     void setCamera(const lacuna::Camera& camera);
     void setCursor(const glm::dvec3& mm);
+    /// The planner's answer to the budget; no step of undo. Null: none.
+    void setPlanned(std::shared_ptr<const lacuna::ModePlan> planned);
     void setRegions(std::shared_ptr<const lacuna::RegionTable> regions);
     /// Forgets the defects shown until their voxels are gathered.
     void setInspection(std::shared_ptr<const lacuna::PartAnalysis> analysis);
@@ -43,6 +45,7 @@ Q_SIGNALS:
     void opened();
     void settingsChanged();
     void cameraChanged();
+    void plannedChanged();
     void cursorChanged();
     void regionsChanged();
     void inspectionChanged();

@@ -106,16 +106,15 @@ void FrameScheduler::start(bool coarse) {
     coarse_running_ = coarse;
     changed_since_start_ = false;
     since_start_.start();
-    job_.start(
-        [engine = engine_, scene = std::move(scene), plan = std::move(plan)](const JobContext& job) {
-            return engine->render(scene, plan, job);
-        },
-        [this, coarse, complete](Outcome<RenderResult> outcome) { finish(coarse, complete, std::move(outcome)); },
-        [this](double share) { Q_EMIT progressed(share); });
+    const Task task{std::make_shared<const Scene>(std::move(scene)), std::move(plan), coarse, complete};
+    job_.start([engine = engine_, task](const JobContext& job) { return engine->render(*task.scene, task.plan, job); },
+               [this, task](Outcome<RenderResult> outcome) { finish(task, std::move(outcome)); },
+               [this](double share) { Q_EMIT progressed(share); });
     Q_EMIT busyChanged(true);
 }
 
-void FrameScheduler::finish(bool coarse, bool complete, Outcome<RenderResult> outcome) {
+void FrameScheduler::finish(const Task& task, Outcome<RenderResult> outcome) {
+    const bool coarse = task.coarse, complete = task.complete;
     coarse_running_ = false;
     if (const Error* error = std::get_if<Error>(&outcome)) {
         still_.stop();
@@ -123,7 +122,7 @@ void FrameScheduler::finish(bool coarse, bool complete, Outcome<RenderResult> ou
         if (error->code() != Errc::cancelled) Q_EMIT failed(QString::fromStdString(error->what()));
         return;
     }
-    const RenderResult& result = std::get<RenderResult>(outcome);
+    RenderResult& result = std::get<RenderResult>(outcome);
     // What a still picture's sampler or effects took says nothing of the coarse frames, which go without.
     const bool alike =
         scene_->mode != ViewMode::shear_warp && std::none_of(scene_->effects.begin(), scene_->effects.end(), costly);
@@ -132,9 +131,12 @@ void FrameScheduler::finish(bool coarse, bool complete, Outcome<RenderResult> ou
     facts.coarse = !complete;
     facts.ms = result.frame.ms;
     facts.device = QString::fromStdString(engine_->device_name());
-    facts.plan = describe(*scene_, plan_);
+    facts.plan = describe(*task.scene, task.plan);
     facts.bytes_held = engine_->bytes_held();
-    Q_EMIT frameReady(to_image(result.frame), facts);
+    facts.scene = task.scene;
+    facts.drawn = task.plan;
+    facts.frame = std::make_shared<const Frame>(std::move(result.frame));
+    Q_EMIT frameReady(to_image(*facts.frame), facts);
     if (changed_since_start_) {
         start(true);
         return;

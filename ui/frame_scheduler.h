@@ -11,12 +11,15 @@
 
 namespace lacuna::ui {
 
-/// What is said of a frame in the status line.
+/// What is said of a frame in the status line, and what it was made of.
 struct FrameFacts {
     bool coarse = false;
     double ms = 0;
     QString device, plan;
     std::size_t bytes_held = 0;
+    std::shared_ptr<const Scene> scene;  ///< as drawn, its size included
+    Plan drawn;                          ///< likewise
+    std::shared_ptr<const Frame> frame;
 };
 
 /// Turns scenes into pictures off the UI thread: at once a coarse one, small and with long steps; a full one as soon as
@@ -35,6 +38,7 @@ public:
     /// Rendering begins once there is an engine, a scene and a size.
     void setEngine(std::shared_ptr<Engine> engine);
     bool hasEngine() const { return engine_ != nullptr; }
+    const std::shared_ptr<Engine>& engine() const { return engine_; }
     /// Size of the picture in device pixels.
     void setSize(QSize pixels);
     void setScene(const Scene& scene, const Plan& plan);
@@ -53,7 +57,12 @@ Q_SIGNALS:
 private:
     void changed();
     void start(bool coarse);
-    void finish(bool coarse, bool complete, Outcome<RenderResult> outcome);
+    struct Task {
+        std::shared_ptr<const Scene> scene;
+        Plan plan;
+        bool coarse, complete;
+    };
+    void finish(const Task& task, Outcome<RenderResult> outcome);
     void adapt(const RenderResult& result);
 
     std::shared_ptr<Engine> engine_;

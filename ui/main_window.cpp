@@ -177,6 +177,7 @@ void MainWindow::connectViews() {
         renderScene();
     });
     connect(documents_, &DocumentController::selectionChanged, this, &MainWindow::showSelection);
+    connect(documents_, &DocumentController::plannedChanged, this, &MainWindow::renderScene);
 }
 
 void MainWindow::connectPanels() {

@@ -98,7 +98,9 @@ std::size_t rank_of(Structure structure) {
     return rank;
 }
 
-Chart chart_of(const SceneResult& scene, FrontError front) {
+}  // namespace
+
+Chart scene_chart(const SceneResult& scene, FrontError front) {
     Chart chart;
     chart.title = scene.name;
     const auto measured =
@@ -137,8 +139,6 @@ Chart chart_of(const SceneResult& scene, FrontError front) {
                                {1, 2}});
     return chart;
 }
-
-}  // namespace
 
 std::string sweep_json(const std::string& device, const std::vector<SceneResult>& scenes, FrontError front) {
     ordered_json list = ordered_json::array();
@@ -196,7 +196,7 @@ ChartSheet sweep_chart(const std::string& device, const std::vector<SceneResult>
         "Lane 0: "
         "the same picture as brute force. Front: no other plan is both faster and more exact; labels say how its plans "
         "differ from brute force. \"The reference itself\": how far brute force is from a 16 times finer step.";
-    for (const SceneResult& scene : scenes) sheet.charts.push_back(chart_of(scene, front));
+    for (const SceneResult& scene : scenes) sheet.charts.push_back(scene_chart(scene, front));
     sheet.columns = scenes.size() == 3 ? 3 : 2;
     return sheet;
 }

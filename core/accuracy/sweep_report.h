@@ -15,8 +15,11 @@ std::string sweep_json(const std::string& device, const std::vector<SceneResult>
 /// on the front marked; what was refused with its reason.
 std::string sweep_table(const SceneResult& scene);
 
-/// Time a frame against error, both logarithmic, one chart a scene and one series a structure, the front drawn and
-/// its plans labelled, the reference's own error from a finer step marked.
+/// One scene's time a frame against its error, both logarithmic: one series a structure, the front drawn and its plans
+/// labelled, the reference's own error from a finer step marked.
+Chart scene_chart(const SceneResult& scene, FrontError front);
+
+/// A chart a scene.
 ChartSheet sweep_chart(const std::string& device, const std::vector<SceneResult>& scenes, FrontError front);
 
 }  // namespace lacuna

@@ -142,7 +142,7 @@ Box place_plot(const Canvas& canvas, const Chart& chart, const Box& box) {
 
 }  // namespace
 
-void draw_panel(const Chart& chart, Canvas& canvas, const Box& box) {
+PointPlaces draw_panel(const Chart& chart, Canvas& canvas, const Box& box) {
     const Box plot = place_plot(canvas, chart, box);
     const bool bars = !chart.bars.empty();
     const AxisScale x(chart.x, extent_of(chart, AxisName::x), plot.x, plot.right());
@@ -167,13 +167,18 @@ void draw_panel(const Chart& chart, Canvas& canvas, const Box& box) {
 
     canvas.text(title_of(chart.x), {plot.middle().x, box.bottom()}, k_axis_style, Align::middle, Align::end);
     canvas.text(title_of(chart.y), {box.x, plot.middle().y}, k_axis_style, Align::middle, Align::start, true);
+
+    PointPlaces places(chart.series.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (const DataPoint& point : chart.series[i].points) places[i].emplace_back(x.at(point.x), y.at(point.y));
+    return places;
 }
 
 }  // namespace chart
 
 using namespace chart;
 
-void draw(const Chart& chart, Canvas& canvas, const Box& box) {
+PointPlaces draw(const Chart& chart, Canvas& canvas, const Box& box) {
     for (const Bars& bars : chart.bars) check_bars(bars);
     Box rest = box;
     const double heading = draw_heading(canvas, box, chart.title, chart.subtitle, k_title_style);
@@ -188,11 +193,11 @@ void draw(const Chart& chart, Canvas& canvas, const Box& box) {
     } else if (chart.legend == Legend::right && !entries.empty()) {
         rest.width -= draw_legend_column(canvas, rest, entries);
     }
-    draw_panel(chart, canvas, rest);
+    return draw_panel(chart, canvas, rest);
 }
 
-void draw(const Chart& chart, Canvas& canvas) {
-    draw(chart, canvas, Box{0, 0, canvas.size().x, canvas.size().y}.shrunk(k_margin));
+PointPlaces draw(const Chart& chart, Canvas& canvas) {
+    return draw(chart, canvas, Box{0, 0, canvas.size().x, canvas.size().y}.shrunk(k_margin));
 }
 
 void draw(const ChartSheet& sheet, Canvas& canvas) {

@@ -89,11 +89,14 @@ struct Chart {
     Legend legend = Legend::right;  ///< only where something has a name
 };
 
+/// Where a chart drew its points, on the canvas: by series, then by point; NaN where a point was left out.
+using PointPlaces = std::vector<std::vector<glm::dvec2>>;
+
 /// Draws a chart into a box of a canvas. @throws Error(bad_usage) naming the fault: an axis whose ends are not in order
 /// or not above 0 on a log scale, bars whose edges do not ascend or do not fit their heights
-void draw(const Chart& chart, Canvas& canvas, const Box& box);
+PointPlaces draw(const Chart& chart, Canvas& canvas, const Box& box);
 /// The same on the whole canvas, less a margin.
-void draw(const Chart& chart, Canvas& canvas);
+PointPlaces draw(const Chart& chart, Canvas& canvas);
 
 /// Several charts in rows, under one title and one legend of all their names.
 struct ChartSheet {

@@ -153,7 +153,34 @@ Scene scene_of(const Document& document) {
     return scene;
 }
 
+namespace {
+
+/// The plan where it is of the scene's mode and can serve it.
+std::optional<Plan> serving(const ModePlan& plan, const Scene& scene) {
+    if (plan.mode != scene.mode) return std::nullopt;
+    try {
+        check(plan.plan, scene);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+    return plan.plan;
+}
+
+std::optional<Plan> asked_for(const Document& document, const Scene& scene) {
+    const Quality& quality = document.settings.quality;
+    if (quality.has_budget()) return document.planned ? serving(*document.planned, scene) : std::nullopt;
+    if (quality.plan.empty()) return std::nullopt;
+    try {
+        return serving(plan_from_json(quality.plan, "the chosen plan"), scene);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
 Plan plan_of(const Document& document, const Scene& scene) {
+    if (std::optional<Plan> asked = asked_for(document, scene)) return *std::move(asked);
     Plan plan = default_plan(scene);
     const Quality& quality = document.settings.quality;
     plan.step = quality.step;

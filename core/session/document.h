@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,7 +9,7 @@
 #include "core/inspect/part_analysis.h"
 #include "core/io/volume_reader.h"
 #include "core/regions/regions.h"
-#include "core/render/plan.h"
+#include "core/render/plan_json.h"
 #include "core/render/scene.h"
 #include "core/volume/statistics.h"
 
@@ -34,6 +35,13 @@ struct Quality {
     double step = 0.5;       ///< in units of the smallest voxel spacing
     bool skip_empty = true;  ///< let the default plan choose a structure; else none
     Sampler sampler = Sampler::linear;
+    /// The planner picks the rest so that no pixel is off by more than this from brute force at `step`, in 1/255.
+    std::optional<double> error_budget = {};
+    /// The planner picks the most exact plan that draws a frame in so many milliseconds.
+    std::optional<double> time_budget_ms = {};
+    /// A plan chosen by hand, as JSON (plan_json.h); it goes before budgets while it can serve the scene. Empty: none.
+    std::string plan = {};
+    bool has_budget() const { return plan.empty() && (error_budget || time_budget_ms); }
     friend bool operator==(const Quality&, const Quality&) = default;
 };
 
@@ -73,6 +81,7 @@ struct Document {
     std::shared_ptr<const PartAnalysis> inspection;         ///< null until inspected
     std::uint32_t selected_defect = 0;                      ///< an id of `inspection`; 0: none
     std::shared_ptr<const std::vector<Highlight>> defects;  ///< as drawn in 3D; null: none are shown
+    std::shared_ptr<const ModePlan> planned;                ///< the planner's answer to the budget; null: none yet
 };
 
 /// A named pair of grey levels for slices, as centre and width.
@@ -99,7 +108,8 @@ Camera home_camera(const Volume& volume, const VolumeStatistics& statistics);
 /// where the mode cannot do it. The image size and background are left to the caller.
 Scene scene_of(const Document& document);
 
-/// The least plan for that scene at the document's quality.
+/// The plan for that scene: the one chosen by hand, else what the planner answered to a budget, where it can serve the
+/// scene; else the least plan at the document's quality.
 Plan plan_of(const Document& document, const Scene& scene);
 
 /// The voxels of one region as a highlight. Cost: one pass over its bounding box.

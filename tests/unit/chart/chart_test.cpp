@@ -226,5 +226,25 @@ TEST(Canvas, ImagesKeepTheirOrientation) {
     EXPECT_EQ(at(36, 36), glm::ivec3(255, 255, 0));
 }
 
+TEST(Chart, TellsWhereItDrewItsPoints) {
+    Chart chart = times();
+    chart.series[1].color = glm::dvec3(1, 0, 0);
+    chart.series[1].points = {{0.7, 9}, {k_nan, 4}};
+    Canvas canvas = Canvas::png({400, 300}, 1);
+    const PointPlaces places = draw(chart, canvas);
+    ASSERT_EQ(places.size(), chart.series.size());
+    ASSERT_EQ(places[1].size(), 2u);
+    EXPECT_TRUE(std::isnan(places[1][1].x));
+    // The legend shows the marker, too, to the right of the plot.
+    Picture picture = decode(canvas.finish());
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = int(places[1][0].x) + 12; x < picture.width; ++x)
+            picture.rgb[3 * (std::size_t(y) * std::size_t(picture.width) + std::size_t(x))] = 1;
+    const auto [middle, count] = picture.find({1, 0, 0});
+    ASSERT_GT(count, 4);
+    EXPECT_NEAR(middle.x + 0.5, places[1][0].x, 1);
+    EXPECT_NEAR(middle.y + 0.5, places[1][0].y, 1);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -122,5 +122,29 @@ TEST(Document, TheNearestVoxelStaysInside) {
     EXPECT_EQ(nearest_voxel(geometry, glm::dvec3(std::nan(""))), glm::ivec3(0));
 }
 
+TEST(Document, AChosenPlanGoesBeforeBudgetsAndBothOnlyWhereTheyServe) {
+    Document document = make_document("sample:spheres@24", make_sample("spheres", {.size = 24}).volume);
+    document.settings.mode = ViewMode::ea;
+    const auto drawn = [&] { return plan_of(document, scene_of(document)); };
+    EXPECT_EQ(drawn().structure, Structure::acd);
+    ModePlan answer{ViewMode::ea, drawn()};
+    answer.plan.structure = Structure::octree;
+    answer.plan.step = 0.75;
+    document.planned = std::make_shared<const ModePlan>(answer);
+    EXPECT_EQ(drawn().structure, Structure::acd) << "no budget asks for it";
+    document.settings.quality.error_budget = 1;
+    EXPECT_EQ(drawn().structure, Structure::octree);
+    EXPECT_EQ(drawn().step, 0.75);
+    answer.plan.structure = Structure::eacd;
+    document.settings.quality.plan = to_json(answer);
+    EXPECT_EQ(drawn().structure, Structure::eacd);
+    document.settings.mode = ViewMode::iso;  // what was chosen is of another mode
+    EXPECT_EQ(drawn().structure, default_plan(scene_of(document)).structure);
+    EXPECT_EQ(drawn().step, 0.5);
+    document.settings.mode = ViewMode::ea;
+    document.settings.quality.plan = "no plan";
+    EXPECT_EQ(drawn().structure, Structure::acd);
+}
+
 }  // namespace
 }  // namespace lacuna
