@@ -86,7 +86,10 @@ void MainWindow::buildFeatures() {
     regions_ = new RegionsFeature(*bench_);
     inspection_ = new InspectionFeature(*bench_);
     session_ = new SessionFeature(*bench_, *inspection_);
+    accuracy_ = new AccuracyFeature(*bench_);
+    render_panel_->append(accuracy_->budget());
     tabifyDockWidget(regions_->dock(), inspection_->dock());
+    tabifyDockWidget(inspection_->dock(), accuracy_->dock());
     regions_->dock()->raise();
     resizeDocks({regions_->dock()}, {190}, Qt::Vertical);
 }

@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <functional>
 
+#include "ui/features/accuracy_feature.h"
 #include "ui/features/inspection_feature.h"
 #include "ui/features/regions_feature.h"
 #include "ui/features/session_feature.h"
@@ -40,6 +41,7 @@ public:
     RegionsFeature* regions() const { return regions_; }
     InspectionFeature* inspection() const { return inspection_; }
     SessionFeature* session() const { return session_; }
+    AccuracyFeature* accuracy() const { return accuracy_; }
     FourUp* views() const { return views_; }
     RenderPanel* renderPanel() const { return render_panel_; }
     TransferPanel* transferPanel() const { return transfer_panel_; }
@@ -110,6 +112,7 @@ private:
     RegionsFeature* regions_ = nullptr;
     InspectionFeature* inspection_ = nullptr;
     SessionFeature* session_ = nullptr;
+    AccuracyFeature* accuracy_ = nullptr;
     QActionGroup* modes_ = nullptr;
     QTimer slow_frame_;  ///< a frame is only worth a progress bar when it takes its time
     TaskList::Id load_task_ = 0, frame_task_ = 0;

@@ -106,6 +106,7 @@ void RenderPanel::connectRows() {
         edit(tr("Quality"), [i](ViewSettings& s) {
             s.quality.step = k_qualities[i].step;
             s.quality.sampler = k_qualities[i].sampler;
+            s.quality.plan.clear();
         });
     });
     connect(skip_, &QCheckBox::toggled, this, [this](bool on) {

@@ -19,6 +19,8 @@ public:
     void setSettings(const lacuna::ViewSettings& settings);
     QComboBox* modeBox() const { return mode_; }
     ValueSlider* isoSlider() const { return iso_; }
+    /// Puts a panel of its own below the rows.
+    void append(QWidget* panel) { form_->addRow(panel); }
 
 Q_SIGNALS:
     void edited(const QString& name, const lacuna::ViewSettings& next);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/volume/samples.h"
+
 namespace lacuna {
 namespace {
 
