@@ -49,6 +49,9 @@ void fields(Archive& archive, Quality& quality) {
     archive("step", quality.step);
     archive("skip_empty", quality.skip_empty);
     archive("sampler", quality.sampler);
+    archive("error_budget", quality.error_budget);
+    archive("time_budget_ms", quality.time_budget_ms);
+    archive("plan", quality.plan);
 }
 
 template <class Archive>

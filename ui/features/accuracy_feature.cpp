@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <QStringList>
 #include <algorithm>
+#include <utility>
 
 #include "core/accuracy/difference_map.h"
 
@@ -10,6 +11,7 @@ namespace lacuna::ui {
 
 namespace {
 
+constexpr int k_chart_height = 270;
 constexpr std::size_t k_reasons = 14;  // of a plan that fit a tooltip
 
 QImage to_image(const DifferenceMap& map) {
@@ -51,7 +53,11 @@ AccuracyFeature::AccuracyFeature(Workbench& bench)
             [this](bool all) { monitor_->setCharting(panel_->isVisible(), all); });
     connect(dock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
         monitor_->setCharting(visible, panel_->allBox()->isChecked());
-        if (visible) showPoints();
+        if (!visible) return;
+        // A chart wants more room than the tables it stands beside; given once, so that a person can take it back.
+        if (std::exchange(wants_room_, false) && dock_->height() < k_chart_height)
+            bench_.window()->resizeDocks({dock_}, {k_chart_height}, Qt::Vertical);
+        showPoints();
     });
     connect(monitor_, &AccuracyMonitor::boundChanged, this, [this] {
         showBound();
@@ -181,7 +187,7 @@ void AccuracyFeature::showPlan() {
     QStringList why;
     for (const std::string& reason : shown.drawn.why) {
         if (std::size_t(why.size()) == k_reasons) {
-            why << tr("… and %n more", nullptr, int(shown.drawn.why.size() - k_reasons));
+            why << tr("… and %1 more").arg(shown.drawn.why.size() - k_reasons);
             break;
         }
         why << QString::fromStdString(reason);

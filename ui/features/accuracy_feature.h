@@ -45,7 +45,7 @@ private:
     SpeedPanel* panel_;
     QDockWidget* dock_;
     Showing showing_ = Showing::picture;
-    bool badge_wanted_ = true;
+    bool badge_wanted_ = true, wants_room_ = true;
 };
 
 }  // namespace lacuna::ui

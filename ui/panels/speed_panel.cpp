@@ -6,6 +6,7 @@
 #include <QScrollBar>
 #include <QSplitter>
 #include <algorithm>
+#include <map>
 
 #include "core/accuracy/sweep_report.h"
 #include "ui/widgets/error_badge.h"
@@ -22,6 +23,28 @@ QString words_of(const ModePlan& plan, const ModePlan& brute) {
     QString words = QString::fromUtf8(name_of(plan.plan.structure).data());
     if (!differs.empty()) words += QStringLiteral(", ") + QString::fromStdString(differs);
     return words;
+}
+
+/// A structure's marker as the chart draws it.
+QIcon marker_icon(Structure structure, const QPalette& palette, double ratio) {
+    constexpr double k_points = 9;
+    std::size_t rank = 0;
+    for (const auto& [value, name] : structure_names()) {
+        if (value == structure) break;
+        ++rank;
+    }
+    Canvas canvas = Canvas::png({k_points, k_points}, 96.0 / 72.0 * ratio);
+    draw_marker(canvas, series_marker(rank), {k_points / 2, k_points / 2}, 7, glm::dvec3(0));
+    const std::string png = canvas.finish();
+    QImage shape = QImage::fromData(reinterpret_cast<const uchar*>(png.data()), int(png.size()), "PNG")
+                       .convertToFormat(QImage::Format_ARGB32);
+    const glm::dvec3 color = 255.0 * series_color(rank);
+    const QColor drawn = ChartView::shownColor(QColor(int(color.x), int(color.y), int(color.z)), palette);
+    for (int y = 0; y < shape.height(); ++y)
+        for (int x = 0; x < shape.width(); ++x)
+            shape.setPixel(x, y, qRgba(drawn.red(), drawn.green(), drawn.blue(), 255 - qGray(shape.pixel(x, y))));
+    shape.setDevicePixelRatio(ratio);
+    return QIcon(QPixmap::fromImage(shape));
 }
 
 QString number(double value) { return QLocale().toString(value, 'f', value < 9.95 ? 1 : 0); }
@@ -43,8 +66,9 @@ SpeedPanel::SpeedPanel(QWidget* parent)
     auto* both = new QSplitter(Qt::Horizontal, this);
     both->addWidget(chart_);
     both->addWidget(table_);
-    both->setStretchFactor(0, 3);
-    both->setStretchFactor(1, 2);
+    both->setStretchFactor(0, 1);
+    both->setStretchFactor(1, 1);
+    table_->setMinimumWidth(380);
     column->addWidget(both, 1);
     state_->setAccessibleName(tr("Progress of measuring"));
     state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -101,6 +125,7 @@ void SpeedPanel::showPoints(const LiveSweep& sweep, const ModePlan& current) {
     Chart chart = scene_chart(sweep.result(), FrontError::max);
     chart.title.clear();
     chart.subtitle.clear();
+    chart.legend = Legend::none;  // the list shows each plan's marker
     shown_.assign(chart.series.size(), {});
     for (std::size_t s = 0; s < chart.series.size(); ++s)
         for (const DataPoint& at : chart.series[s].points)
@@ -124,10 +149,11 @@ void SpeedPanel::showPoints(const LiveSweep& sweep, const ModePlan& current) {
     const int open = int(std::count_if(points_.begin(), points_.end(), [&](const SweepPoint& p) {
         return sweep.pending(std::size_t(&p - points_.data()));
     }));
-    state_->setText(open > 0 ? tr("%n plan(s) measured, %1 to go; measuring goes on while nothing else runs", nullptr,
-                                  int(sweep.measured()))
-                                   .arg(open)
-                             : tr("%n plan(s) measured, %1 of %2 rounds", nullptr, int(sweep.measured()))
+    state_->setText(open > 0 ? tr("Plans measured: %1 of %2; measuring goes on while nothing else runs")
+                                   .arg(sweep.measured())
+                                   .arg(sweep.measured() + std::size_t(open))
+                             : tr("Plans measured: %1, in %2 of %3 rounds")
+                                   .arg(sweep.measured())
                                    .arg(std::max(1, sweep.result().rounds))
                                    .arg(LiveSweep::k_rounds));
     fillTable(sweep, current);
@@ -144,6 +170,12 @@ void SpeedPanel::fillTable(const LiveSweep& sweep, const ModePlan& current) {
         return x != y ? x : x && points_[a].ms < points_[b].ms;
     });
     const std::optional<std::size_t> used = sweep.find(current);
+    std::map<Structure, QIcon> icons;
+    const auto icon_of = [&](Structure structure) {
+        const auto at = icons.find(structure);
+        if (at != icons.end()) return at->second;
+        return icons.emplace(structure, marker_icon(structure, palette(), devicePixelRatioF())).first->second;
+    };
     table_->setRowCount(int(order.size()));
     for (int row = 0; row < int(order.size()); ++row) {
         const std::size_t i = order[std::size_t(row)];
@@ -167,6 +199,7 @@ void SpeedPanel::fillTable(const LiveSweep& sweep, const ModePlan& current) {
             item->setFont(font);
             item->setToolTip(tip);
             item->setData(k_point_role, qulonglong(i));
+            if (c == k_plan) item->setIcon(icon_of(point.plan.plan.structure));
             table_->setItem(row, c, item);
         }
         if (qulonglong(i) == kept) table_->setCurrentCell(row, k_plan);

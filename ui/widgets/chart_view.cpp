@@ -15,24 +15,25 @@ namespace {
 constexpr double k_pixels_per_point = 96.0 / 72.0;
 constexpr double k_reach_px = 9;
 
-/// Light for dark with the hues kept: the luma is mirrored, the rest of the colour stays.
-void darken(QImage& image, const QColor& paper) {
-    for (int y = 0; y < image.height(); ++y) {
-        auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
-        for (int x = 0; x < image.width(); ++x) {
-            const double r = qRed(line[x]), g = qGreen(line[x]), b = qBlue(line[x]);
-            const double shift = 255 - 2 * (0.299 * r + 0.587 * g + 0.114 * b);
-            const auto on = [&](double c, int base) {
-                return int(std::lround(base + std::clamp(c + shift, 0.0, 255.0) * (255 - base) / 255));
-            };
-            line[x] = qRgb(on(r, paper.red()), on(g, paper.green()), on(b, paper.blue()));
-        }
-    }
+bool is_dark(const QPalette& palette) { return palette.color(QPalette::Base).lightness() < 128; }
+
+/// Light for dark with the hue kept: the luma is mirrored, the rest of the colour stays; white becomes the paper.
+QRgb mirrored(QRgb color, const QColor& paper) {
+    const double r = qRed(color), g = qGreen(color), b = qBlue(color);
+    const double shift = 255 - 2 * (0.299 * r + 0.587 * g + 0.114 * b);
+    const auto on = [&](double c, int base) {
+        return int(std::lround(base + std::clamp(c + shift, 0.0, 255.0) * (255 - base) / 255));
+    };
+    return qRgb(on(r, paper.red()), on(g, paper.green()), on(b, paper.blue()));
 }
 
 }  // namespace
 
 ChartView::ChartView(QWidget* parent) : QWidget(parent) { setMouseTracking(true); }
+
+QColor ChartView::shownColor(const QColor& color, const QPalette& palette) {
+    return is_dark(palette) ? QColor(mirrored(color.rgb(), palette.color(QPalette::Base))) : color;
+}
 
 void ChartView::setChart(const Chart& chart) {
     chart_ = chart;
@@ -63,7 +64,11 @@ void ChartView::redraw() {
     } catch (const Error&) {
         return;  // too small for its labels: an empty place says so
     }
-    if (palette().color(QPalette::Base).lightness() < 128) darken(image_, palette().color(QPalette::Base));
+    if (is_dark(palette()))
+        for (int y = 0; y < image_.height(); ++y) {
+            auto* line = reinterpret_cast<QRgb*>(image_.scanLine(y));
+            for (int x = 0; x < image_.width(); ++x) line[x] = mirrored(line[x], palette().color(QPalette::Base));
+        }
     image_.setDevicePixelRatio(ratio);
     for (auto& series : places_)
         for (glm::dvec2& at : series) at *= k_pixels_per_point;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QColor>
 #include <QImage>
+#include <QPalette>
 #include <QWidget>
 #include <optional>
 
@@ -20,10 +22,12 @@ public:
     void setChart(const lacuna::Chart& chart);
     void clear();
     const lacuna::Chart& chart() const { return chart_; }
+    /// What a colour of the chart is shown as: dark papers mirror its lightness.
+    static QColor shownColor(const QColor& color, const QPalette& palette);
     /// Where a point is drawn, widget coordinates; none where it is left out or nothing was painted yet.
     std::optional<QPointF> positionOf(Place place);
     QSize sizeHint() const override { return {460, 240}; }
-    QSize minimumSizeHint() const override { return {220, 140}; }
+    QSize minimumSizeHint() const override { return {220, 160}; }
 
 Q_SIGNALS:
     void clicked(lacuna::ui::ChartView::Place place);

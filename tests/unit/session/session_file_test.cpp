@@ -75,6 +75,9 @@ ViewSettings unusual_settings(unsigned seed) {
     s.surface_color = {0.1, 0.2, 0.3};
     s.quality.step = 0.125;
     s.quality.sampler = Sampler::nearest;
+    s.quality.error_budget = std::abs(number(random));
+    s.quality.time_budget_ms = 33;
+    s.quality.plan = to_json(ModePlan{ViewMode::iso, {}});
     s.effects = parse_effects("ssao=2,3,gamma=1.7");
     return s;
 }
