@@ -1,10 +1,10 @@
 #include <QApplication>
 #include <QCommandLineParser>
 
-#include "core/compute/device.h"
-#include "ui/main_window.h"
+#include "ui/log_store.h"
 #include "ui/preferences.h"
 #include "ui/theme_control.h"
+#include "ui/workstation.h"
 
 int main(int argc, char** argv) {
     QApplication application(argc, argv);
@@ -26,12 +26,11 @@ int main(int argc, char** argv) {
     words.addOption(device);
     words.process(application);
     lacuna::ui::ThemeControl::instance();
+    lacuna::ui::LogStore::instance();
 
-    const std::string choice = words.value(device).toStdString();
-    lacuna::ui::MainWindow window([choice](const lacuna::JobContext& job) {
-        return std::make_shared<lacuna::Engine>(choice == "none" ? nullptr : lacuna::open_device(choice, job));
-    });
-    window.show();
-    if (!words.positionalArguments().isEmpty()) window.openInput(words.positionalArguments().front());
+    const QString choice = words.isSet(device) ? words.value(device) : lacuna::ui::preferences::device();
+    const lacuna::ui::Workstation workstation(
+        lacuna::ui::engine_on(choice.toStdString(), lacuna::ui::preferences::memory_limit_mib()));
+    if (!words.positionalArguments().isEmpty()) workstation.window()->openInput(words.positionalArguments().front());
     return QApplication::exec();
 }

@@ -26,6 +26,22 @@ void DocumentController::open(const Document& document) {
     Q_EMIT historyChanged();
 }
 
+void DocumentController::adopt(const Document& document, const EditHistory& history) {
+    document_ = document;
+    history_ = history;
+    Q_EMIT opened();
+    // What opened() made others forget is still there.
+    document_ = document;
+    Q_EMIT settingsChanged();
+    Q_EMIT cameraChanged();
+    Q_EMIT cursorChanged();
+    Q_EMIT regionsChanged();
+    Q_EMIT inspectionChanged();
+    document_ = document;  // tables that fill clear the selection
+    Q_EMIT selectionChanged();
+    Q_EMIT historyChanged();
+}
+
 void DocumentController::edit(const QString& name, const ViewSettings& next) {
     if (!document_ || !history_.note(name.toStdString(), document_->settings, next)) return;
     gesture_end_.start();

@@ -23,6 +23,8 @@ public:
 
 public Q_SLOTS:
     void open(const lacuna::Document& document);
+    /// Goes on with what another controller had: the document with its results, and its undo history.
+    void adopt(const lacuna::Document& document, const lacuna::EditHistory& history);
     /// Replaces the settings as a step of undo; edits of one name in quick succession are one step.
     void edit(const QString& name, const lacuna::ViewSettings& next);
     void undo();

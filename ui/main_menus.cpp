@@ -1,13 +1,12 @@
 // The window's menus: every command with its key.
 #include <QActionGroup>
-#include <QApplication>
 #include <QBuffer>
 #include <QFileDialog>
-#include <QMessageBox>
 
 #include "core/base/atomic_file.h"
 #include "core/volume/samples.h"
 #include "ui/main_window.h"
+#include "ui/tool_bar.h"
 
 namespace lacuna::ui {
 
@@ -30,16 +29,17 @@ void MainWindow::finishMenus() {
     file->addAction(exports);
     file->addSeparator();
     bench_->addAlways(file, tr("&Quit"), QKeySequence(QStringLiteral("Ctrl+Q")), this, &QWidget::close);
-    QMenu* help = bench_->menu(Menu::help);
-    bench_->addAlways(help, tr("&Mouse and keys"), QKeySequence(Qt::Key_F1), this, &MainWindow::showControls);
-    bench_->addAlways(help, tr("&About Lacuna"), {}, this, &MainWindow::showAbout);
+    help_ = new HelpFeature(*bench_);
+    layout_ = new LayoutFeature(*bench_);
 }
 
 void MainWindow::buildFileMenu() {
     QMenu* file = bench_->menu(Menu::file);
-    bench_->addAlways(file, tr("Open &folder…"), QKeySequence(QStringLiteral("Ctrl+Shift+O")), this,
-                      &MainWindow::openFolder);
-    bench_->addAlways(file, tr("&Open file…"), QKeySequence::Open, this, &MainWindow::openFile);
+    offer_tool(bench_->addAlways(file, tr("Open &folder…"), QKeySequence(QStringLiteral("Ctrl+Shift+O")), this,
+                                 &MainWindow::openFolder),
+               ToolGroup::document, Icon::folder, tr("Folder"));
+    offer_tool(bench_->addAlways(file, tr("&Open file…"), QKeySequence::Open, this, &MainWindow::openFile),
+               ToolGroup::document, Icon::file, tr("File"));
     QMenu* samples = file->addMenu(tr("Open &sample"));
     int number = 0;
     for (const std::string_view name : sample_names()) {
@@ -50,8 +50,9 @@ void MainWindow::buildFileMenu() {
                           [this, text] { openInput(QStringLiteral("sample:") + text); });
     }
     file->addSeparator();
-    bench_->add(bench_->submenu(Menu::file, tr("&Export")), tr("The 3D &picture…"),
-                QKeySequence(QStringLiteral("Ctrl+Shift+P")), this, &MainWindow::savePicture);
+    offer_tool(bench_->add(bench_->submenu(Menu::file, tr("&Export")), tr("The 3D &picture…"),
+                           QKeySequence(QStringLiteral("Ctrl+Shift+P")), this, &MainWindow::savePicture),
+               ToolGroup::document, Icon::picture, tr("Picture"));
 }
 
 void MainWindow::buildEditMenu() {
@@ -68,6 +69,9 @@ void MainWindow::buildEditMenu() {
                                          : tr("&Undo"));
         redo->setText(history.can_redo() ? tr("&Redo: %1").arg(QString::fromStdString(history.redo_name()))
                                          : tr("&Redo"));
+        // setText() would put the long text under the icon.
+        offer_tool(undo, ToolGroup::history, Icon::undo, tr("Undo"));
+        offer_tool(redo, ToolGroup::history, Icon::redo, tr("Redo"));
     };
     connect(documents_, &DocumentController::historyChanged, this, show);
     show();
@@ -97,8 +101,9 @@ void MainWindow::buildViewMenu() {
     for (const auto& [side, name] : names)
         bench_->add(sides, name, QKeySequence(QString(QLatin1Char(side))), this,
                     [this, side = side] { views_->volumeView()->lookFrom(side); });
-    bench_->add(view, tr("&Reset the 3D view"), QKeySequence(QStringLiteral("0")), views_->volumeView(),
-                &VolumeView::resetCamera);
+    offer_tool(bench_->add(view, tr("&Reset the 3D view"), QKeySequence(QStringLiteral("0")), views_->volumeView(),
+                           &VolumeView::resetCamera),
+               ToolGroup::layout, Icon::reset_view, tr("Reset"));
     bench_->add(view, tr("Reset the &slices"), QKeySequence(QStringLiteral("Shift+0")), this, [this] {
         for (SliceView* slice : views_->slices()) slice->resetView();
     });
@@ -109,9 +114,10 @@ void MainWindow::buildViewMenu() {
             documents_->setCamera(camera);
         });
     perspective->setCheckable(true);
-    connect(documents_, &DocumentController::opened, perspective, [perspective] { perspective->setChecked(false); });
+    connect(documents_, &DocumentController::opened, perspective,
+            [this, perspective] { perspective->setChecked(documents_->document().camera.fov_deg.has_value()); });
     view->addSeparator();
-    bench_->add(view, tr("Ma&ximise the view, or show all four"), QKeySequence(QStringLiteral("M")), views_,
+    bench_->add(view, tr("Ma&ximise the view, or show all"), QKeySequence(QStringLiteral("M")), views_,
                 &FourUp::toggleFocused);
     QAction* full = bench_->addAlways(view, tr("&Full screen"), QKeySequence(QStringLiteral("F11")), this,
                                       [this](bool on) { on ? showFullScreen() : showNormal(); });
@@ -127,10 +133,11 @@ void MainWindow::buildGoMenu() {
     QMenu* go = bench_->menu(Menu::go);
     const auto key = [](int digit) { return QKeySequence(QStringLiteral("Ctrl+%1").arg(digit)); };
     const auto to = [](QWidget* widget) { return [widget] { widget->setFocus(Qt::TabFocusReason); }; };
-    bench_->add(go, tr("&3D view"), key(1), this, to(views_->volumeView()));
-    bench_->add(go, tr("&Axial slice"), key(2), this, to(views_->slice(SliceKind::axial)));
-    bench_->add(go, tr("&Coronal slice"), key(3), this, to(views_->slice(SliceKind::coronal)));
-    bench_->add(go, tr("&Sagittal slice"), key(4), this, to(views_->slice(SliceKind::sagittal)));
+    const auto view = [this](QWidget* widget) { return [this, widget] { views_->focusView(widget); }; };
+    bench_->add(go, tr("&3D view"), key(1), this, view(views_->volumeView()));
+    bench_->add(go, tr("&Axial slice"), key(2), this, view(views_->slice(SliceKind::axial)));
+    bench_->add(go, tr("&Coronal slice"), key(3), this, view(views_->slice(SliceKind::coronal)));
+    bench_->add(go, tr("&Sagittal slice"), key(4), this, view(views_->slice(SliceKind::sagittal)));
     bench_->add(go, tr("View &mode"), key(5), this, to(render_panel_->modeBox()));
     bench_->add(go, tr("C&olours"), key(6), this, [this] { focusTab(0, transfer_panel_->plot()); });
     bench_->add(go, tr("&Ranges"), key(7), this, [this] { focusTab(1, ranges_panel_->addButton()); });
@@ -142,14 +149,18 @@ void MainWindow::buildGoMenu() {
 
 void MainWindow::buildToolsMenu() {
     QMenu* tools = bench_->menu(Menu::tools);
-    bench_->add(tools, tr("Add a segmentation &range"), QKeySequence(QStringLiteral("Ctrl+Alt+R")), this, [this] {
-        tabs_->setCurrentWidget(ranges_panel_);
-        ranges_panel_->addRange();
-    });
-    bench_->add(tools, tr("Add a &cutting plane"), QKeySequence(QStringLiteral("Ctrl+Alt+X")), this, [this] {
-        tabs_->setCurrentWidget(cuts_panel_);
-        cuts_panel_->addCut();
-    });
+    QAction* range =
+        bench_->add(tools, tr("Add a segmentation &range"), QKeySequence(QStringLiteral("Ctrl+Alt+R")), this, [this] {
+            tabs_->setCurrentWidget(ranges_panel_);
+            ranges_panel_->addRange();
+        });
+    offer_tool(range, ToolGroup::tools, Icon::range, tr("Range"));
+    QAction* cut =
+        bench_->add(tools, tr("Add a &cutting plane"), QKeySequence(QStringLiteral("Ctrl+Alt+X")), this, [this] {
+            tabs_->setCurrentWidget(cuts_panel_);
+            cuts_panel_->addCut();
+        });
+    offer_tool(cut, ToolGroup::tools, Icon::cut, tr("Cut"));
 }
 
 void MainWindow::openFolder() {
@@ -178,35 +189,6 @@ void MainWindow::savePicture() {
     } catch (const Error& error) {
         messages_->showError(QString::fromStdString(error.what()));
     }
-}
-
-void MainWindow::showAbout() {
-    QMessageBox::about(
-        this, tr("About Lacuna"),
-        tr("<h3>Lacuna %1</h3><p>A workstation for computed tomography: pictures whose error is known, and the "
-           "measures "
-           "of what is found in them.</p><p><b>Not a medical device; not for diagnosis.</b></p><p>Free software under "
-           "the GNU General Public License, version 3 or later.</p>")
-            .arg(QStringLiteral(LACUNA_VERSION)));
-}
-
-void MainWindow::showControls() {
-    QMessageBox box(this);
-    box.setWindowTitle(tr("Mouse and keys"));
-    box.setTextFormat(Qt::RichText);
-    box.setText(tr(
-        "<h4>3D view</h4>Left drag turns, middle or Shift+left drag moves, wheel or right drag zooms.<br>"
-        "Arrows turn, Shift+arrows move, + and − zoom, comma and full stop roll, 0 resets.<br>"
-        "A, P, L, R, H, F look from a side; 1 to 7 change the view mode."
-        "<h4>Slices</h4>Left drag sets the cross-hair, wheel turns pages, right drag changes window and level, middle "
-        "drag moves, Ctrl+wheel zooms.<br>Arrows move the cross-hair, Page Up/Down turn pages, Shift+arrows change "
-        "window and level, + and − zoom, Home shows all."
-        "<h4>Transfer function</h4>Drag points; double click adds one; Delete removes it; right click chooses its "
-        "colour.<br>Arrows move the selected point, Page Up/Down select another, Insert adds one, Enter chooses its "
-        "colour."
-        "<h4>Everywhere</h4>Ctrl+1 to Ctrl+0 go to a view or panel, Tab to the next control, M or a double click "
-        "maximises a view, Ctrl+. cancels what is running, Escape dismisses a message."));
-    box.exec();
 }
 
 }  // namespace lacuna::ui

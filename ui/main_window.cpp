@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "ui/preferences.h"
 #include "ui/series_dialog.h"
 
 namespace lacuna::ui {
@@ -88,6 +89,9 @@ void MainWindow::buildFeatures() {
     session_ = new SessionFeature(*bench_, *inspection_);
     accuracy_ = new AccuracyFeature(*bench_);
     render_panel_->append(accuracy_->budget());
+    settings_ = new SettingsFeature(*bench_);
+    connect(settings_, &SettingsFeature::engineChosen, this,
+            [this] { startEngine(engine_on(preferences::device().toStdString(), preferences::memory_limit_mib())); });
     tabifyDockWidget(regions_->dock(), inspection_->dock());
     tabifyDockWidget(inspection_->dock(), accuracy_->dock());
     regions_->dock()->raise();

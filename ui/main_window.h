@@ -7,9 +7,13 @@
 #include <functional>
 
 #include "ui/features/accuracy_feature.h"
+#include "ui/engine_choice.h"
+#include "ui/features/help_feature.h"
 #include "ui/features/inspection_feature.h"
+#include "ui/features/layout_feature.h"
 #include "ui/features/regions_feature.h"
 #include "ui/features/session_feature.h"
+#include "ui/features/settings_feature.h"
 #include "ui/panels/cuts_panel.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/ranges_panel.h"
@@ -28,9 +32,6 @@ namespace lacuna::ui {
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 public:
-    /// Makes the engine; called once, on a worker thread, because looking for a device takes its time.
-    using EngineFactory = std::function<std::shared_ptr<Engine>(const JobContext&)>;
-
     explicit MainWindow(EngineFactory make_engine, QWidget* parent = nullptr);
     ~MainWindow() override;
 
@@ -43,6 +44,8 @@ public:
     SessionFeature* session() const { return session_; }
     AccuracyFeature* accuracy() const { return accuracy_; }
     FourUp* views() const { return views_; }
+    LayoutFeature* layoutFeature() const { return layout_; }
+    SettingsFeature* settingsFeature() const { return settings_; }
     RenderPanel* renderPanel() const { return render_panel_; }
     TransferPanel* transferPanel() const { return transfer_panel_; }
     RangesPanel* rangesPanel() const { return ranges_panel_; }
@@ -59,8 +62,6 @@ public Q_SLOTS:
     void openFolder();
     void openFile();
     void savePicture();
-    void showAbout();
-    void showControls();
 
 protected:
     void dragEnterEvent(QDragEnterEvent*) override;
@@ -113,6 +114,9 @@ private:
     InspectionFeature* inspection_ = nullptr;
     SessionFeature* session_ = nullptr;
     AccuracyFeature* accuracy_ = nullptr;
+    SettingsFeature* settings_ = nullptr;
+    HelpFeature* help_ = nullptr;
+    LayoutFeature* layout_ = nullptr;
     QActionGroup* modes_ = nullptr;
     QTimer slow_frame_;  ///< a frame is only worth a progress bar when it takes its time
     TaskList::Id load_task_ = 0, frame_task_ = 0;

@@ -73,8 +73,8 @@ void set_window(const QByteArray& geometry, const QByteArray& state) {
 }
 void forget_window() { QSettings().remove(QStringLiteral("window")); }
 
-int view_layout() { return std::max(0, read("window/view_layout", 0)); }
-void set_view_layout(int layout) { keep("window/view_layout", layout); }
+QByteArray views_state() { return read("window/views", QByteArray()); }
+void set_views_state(const QByteArray& state) { keep("window/views", state); }
 
 }  // namespace preferences
 

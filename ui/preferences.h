@@ -46,9 +46,9 @@ QByteArray window_state();
 void set_window(const QByteArray& geometry, const QByteArray& state);
 void forget_window();
 
-/// Index of the arrangement of the views.
-int view_layout();
-void set_view_layout(int layout);
+/// The arrangement of the views, as FourUp::saveState() gives it.
+QByteArray views_state();
+void set_views_state(const QByteArray& state);
 
 }  // namespace preferences
 

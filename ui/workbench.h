@@ -5,6 +5,7 @@
 #include <QKeySequence>
 #include <QMainWindow>
 #include <QMenu>
+#include <QVariantMap>
 #include <array>
 #include <functional>
 #include <memory>
@@ -79,6 +80,11 @@ public:
 
 Q_SIGNALS:
     void engineReady();
+    /// The window is about to be made anew (in another language): a feature puts what it holds besides the document into
+    /// `state`, under keys that begin with its name, ...
+    void stateWanted(QVariantMap& state);
+    /// ... and takes it back in the new window, after the document.
+    void stateBack(const QVariantMap& state);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

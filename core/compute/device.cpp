@@ -195,6 +195,11 @@ std::vector<DeviceInfo> list_devices(bool measure, const JobContext& job) {
     return infos;
 }
 
+void forget_measurements() {
+    std::lock_guard lock(g_learnt_mutex);
+    g_learnt.clear();
+}
+
 std::shared_ptr<ComputeDevice> open_device(const std::string& choice, const JobContext& job) {
     std::vector<FoundDevice> found = find_devices();
     if (choice.empty()) {

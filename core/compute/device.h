@@ -47,6 +47,9 @@ private:
 /// platform. @throws Error(cancelled)
 std::vector<DeviceInfo> list_devices(bool measure, const JobContext& job = {});
 
+/// Forgets what was learnt of the devices: the next listing or opening tests and times them anew.
+void forget_measurements();
+
 /// Opens a device: "" takes the fastest usable by the measured ranking, "N" the index listed, else the first whose
 /// name contains the text (case-insensitive). nullptr when the choice is "" and no usable device exists (said once in
 /// the log).

@@ -5,6 +5,7 @@
 #include "core/base/atomic_file.h"
 #include "core/inspect/report.h"
 #include "core/io/dicom_source.h"
+#include "ui/tool_bar.h"
 
 namespace lacuna::ui {
 
@@ -18,11 +19,13 @@ InspectionFeature::InspectionFeature(Workbench& bench)
       report_(this, bench.tasks()) {
     bench.needDocument(panel_);
     QMenu* tools = bench.menu(Workbench::Menu::tools);
-    bench.add(tools, tr("&Inspect the part"), QKeySequence(QStringLiteral("Ctrl+I")), this, [this] {
-        dock_->show();
-        dock_->raise();
-        inspect(panel_->form()->criteria().detection);
-    });
+    offer_tool(bench.add(tools, tr("&Inspect the part"), QKeySequence(QStringLiteral("Ctrl+I")), this,
+                         [this] {
+                             dock_->show();
+                             dock_->raise();
+                             inspect(panel_->form()->criteria().detection);
+                         }),
+               ToolGroup::tools, Icon::inspect, tr("Inspect"));
     bench.add(bench.submenu(Workbench::Menu::file, tr("&Export")), tr("&Inspection report…"),
               QKeySequence(QStringLiteral("Ctrl+Shift+E")), this, &InspectionFeature::exportReport);
     DocumentController* documents = bench.documents();

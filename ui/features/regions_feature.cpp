@@ -3,6 +3,7 @@
 #include <QFileDialog>
 
 #include "core/base/atomic_file.h"
+#include "ui/tool_bar.h"
 
 namespace lacuna::ui {
 
@@ -14,8 +15,9 @@ RegionsFeature::RegionsFeature(Workbench& bench)
       find_(this, bench.tasks()),
       gather_(this) {
     bench.needDocument(panel_);
-    bench.add(bench.menu(Workbench::Menu::tools), tr("Compute re&gions"), QKeySequence(QStringLiteral("Ctrl+R")), this,
-              &RegionsFeature::compute);
+    offer_tool(bench.add(bench.menu(Workbench::Menu::tools), tr("Compute re&gions"),
+                         QKeySequence(QStringLiteral("Ctrl+R")), this, &RegionsFeature::compute),
+               ToolGroup::tools, Icon::regions, tr("Regions"));
     bench.add(bench.submenu(Workbench::Menu::file, tr("&Export")), tr("&Region table…"),
               QKeySequence(QStringLiteral("Ctrl+E")), this, &RegionsFeature::exportTable);
     DocumentController* documents = bench.documents();

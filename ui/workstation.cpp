@@ -1,0 +1,53 @@
+#include "ui/workstation.h"
+
+#include <QGuiApplication>
+
+#include "ui/language.h"
+#include "ui/preferences.h"
+
+namespace lacuna::ui {
+
+Workstation::Workstation(EngineFactory make_engine, QObject* parent) : QObject(parent) {
+    Language::instance();
+    makeWindow(std::move(make_engine));
+}
+
+void Workstation::makeWindow(EngineFactory make_engine) {
+    window_ = std::make_unique<MainWindow>(std::move(make_engine));
+    // Queued: the dialog that asked belongs to the window that goes.
+    connect(window_->settingsFeature(), &SettingsFeature::languageChosen, this, &Workstation::changeLanguage,
+            Qt::QueuedConnection);
+    window_->show();
+    Q_EMIT windowMade();
+}
+
+void Workstation::changeLanguage() {
+    TaskList* tasks = window_->bench()->tasks();
+    if (!tasks->rows().empty()) {
+        // Nobody loses work over words.
+        window_->messageBar()->showNotice(tr("The language changes as soon as the running jobs have ended."));
+        connect(tasks, &TaskList::changed, this, &Workstation::changeLanguage,
+                Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
+        return;
+    }
+    const bool quits = QGuiApplication::quitOnLastWindowClosed();
+    QGuiApplication::setQuitOnLastWindowClosed(false);
+    std::shared_ptr<Engine> engine = window_->bench()->engine();
+    DocumentController* documents = window_->documents();
+    std::optional<Document> document;
+    if (documents->hasDocument()) document = documents->document();
+    const EditHistory history = documents->history();
+    QVariantMap state;
+    Q_EMIT window_->bench()->stateWanted(state);
+    window_->layoutFeature()->save();
+    window_.reset();
+    Language::instance()->apply();
+    EngineFactory make_engine = [engine](const JobContext&) { return engine; };
+    if (!engine) make_engine = engine_on(preferences::device().toStdString(), preferences::memory_limit_mib());
+    makeWindow(std::move(make_engine));
+    if (document) window_->documents()->adopt(*document, history);
+    Q_EMIT window_->bench()->stateBack(state);
+    QGuiApplication::setQuitOnLastWindowClosed(quits);
+}
+
+}  // namespace lacuna::ui
