@@ -7,6 +7,9 @@
 
 #include "ui/preferences.h"
 
+/// The library is static: its resources are there only for who asks. Outside of every namespace, as the macro must be.
+static void make_translations_known() { Q_INIT_RESOURCE(translations); }
+
 namespace lacuna::ui {
 
 Language* Language::instance() {
@@ -15,11 +18,15 @@ Language* Language::instance() {
     return one;
 }
 
-Language::Language(QObject* parent) : QObject(parent) { apply(); }
+Language::Language(QObject* parent) : QObject(parent) {
+    make_translations_known();
+    apply();
+}
 
 void Language::apply() {
     QString wanted = preferences::language();
-    if (wanted.isEmpty()) wanted = QLocale::system().language() == QLocale::German ? QStringLiteral("de") : QStringLiteral("en");
+    if (wanted.isEmpty())
+        wanted = QLocale::system().language() == QLocale::German ? QStringLiteral("de") : QStringLiteral("en");
     if (wanted == code_) return;
     code_ = wanted;
     for (QTranslator* translator : {&qt_, &own_}) QCoreApplication::removeTranslator(translator);

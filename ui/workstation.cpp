@@ -39,7 +39,11 @@ void Workstation::changeLanguage() {
     const EditHistory history = documents->history();
     QVariantMap state;
     Q_EMIT window_->bench()->stateWanted(state);
-    window_->layoutFeature()->save();
+    const bool closed = window_->close();  // which keeps layout and session
+    if (!closed) {
+        QGuiApplication::setQuitOnLastWindowClosed(quits);
+        return;
+    }
     window_.reset();
     Language::instance()->apply();
     EngineFactory make_engine = [engine](const JobContext&) { return engine; };

@@ -4,6 +4,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "ui/language.h"
 #include "ui/preferences.h"
 #include "ui/theme.h"
 
@@ -16,6 +17,8 @@ int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, preferences.path());
     lacuna::ui::name_application(QStringLiteral("test"));
+    lacuna::ui::preferences::set_language(QStringLiteral("en"));
+    lacuna::ui::Language::instance();
     lacuna::ui::apply_theme(application);
     return RUN_ALL_TESTS();
 }

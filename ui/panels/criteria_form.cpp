@@ -45,12 +45,16 @@ struct LimitText {
     int decimals;
 };
 constexpr std::array k_limit_texts = {
-    LimitText{Rule::porosity_percent, QT_TRANSLATE_NOOP("CriteriaForm", "Porosity at most"), " %", 1, 0.1, 3},
-    LimitText{Rule::defect_volume_mm3, QT_TRANSLATE_NOOP("CriteriaForm", "Volume at most"), " mm³", 1, 0.1, 4},
-    LimitText{Rule::defect_diameter_mm, QT_TRANSLATE_NOOP("CriteriaForm", "Diameter at most"), " mm", 1, 0.1, 4},
-    LimitText{Rule::count, QT_TRANSLATE_NOOP("CriteriaForm", "Defects at most"), "", 10, 1, 0},
-    LimitText{Rule::min_gap_mm, QT_TRANSLATE_NOOP("CriteriaForm", "Gap at least"), " mm", 1, 0.1, 4},
-    LimitText{Rule::min_surface_distance_mm, QT_TRANSLATE_NOOP("CriteriaForm", "Depth at least"), " mm", 1, 0.1, 4}};
+    LimitText{Rule::porosity_percent, QT_TRANSLATE_NOOP("lacuna::ui::CriteriaForm", "Porosity at most"), " %", 1, 0.1,
+              3},
+    LimitText{Rule::defect_volume_mm3, QT_TRANSLATE_NOOP("lacuna::ui::CriteriaForm", "Volume at most"), " mm³", 1, 0.1,
+              4},
+    LimitText{Rule::defect_diameter_mm, QT_TRANSLATE_NOOP("lacuna::ui::CriteriaForm", "Diameter at most"), " mm", 1,
+              0.1, 4},
+    LimitText{Rule::count, QT_TRANSLATE_NOOP("lacuna::ui::CriteriaForm", "Defects at most"), "", 10, 1, 0},
+    LimitText{Rule::min_gap_mm, QT_TRANSLATE_NOOP("lacuna::ui::CriteriaForm", "Gap at least"), " mm", 1, 0.1, 4},
+    LimitText{Rule::min_surface_distance_mm, QT_TRANSLATE_NOOP("lacuna::ui::CriteriaForm", "Depth at least"), " mm", 1,
+              0.1, 4}};
 
 }  // namespace
 

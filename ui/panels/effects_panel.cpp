@@ -17,15 +17,15 @@ struct Dial {
     double step, start;
 };
 constexpr Dial k_dials[] = {
-    {EffectKind::ssao, QT_TRANSLATE_NOOP("EffectsPanel", "Strength"), {0, 4}, 2, 0.05, 1},
-    {EffectKind::ao, QT_TRANSLATE_NOOP("EffectsPanel", "Samples"), {1, 256}, 0, 1, 16},
-    {EffectKind::dof, QT_TRANSLATE_NOOP("EffectsPanel", "Focus"), {0, 1}, 2, 0.01, 0.3},
-    {EffectKind::dof, QT_TRANSLATE_NOOP("EffectsPanel", "Strength"), {0, 8}, 1, 0.1, 1},
-    {EffectKind::dof, QT_TRANSLATE_NOOP("EffectsPanel", "Dimming"), {0, 1}, 2, 0.05, 0},
-    {EffectKind::tonemap, QT_TRANSLATE_NOOP("EffectsPanel", "White"), {0.1, 5}, 2, 0.05, 1.2},
-    {EffectKind::gamma, QT_TRANSLATE_NOOP("EffectsPanel", "Gamma"), {0.2, 4}, 2, 0.05, 1.2},
-    {EffectKind::brightness, QT_TRANSLATE_NOOP("EffectsPanel", "Brightness"), {-1, 1}, 2, 0.02, 0.1},
-    {EffectKind::contrast, QT_TRANSLATE_NOOP("EffectsPanel", "Contrast"), {0, 4}, 2, 0.05, 1.2}};
+    {EffectKind::ssao, QT_TRANSLATE_NOOP("lacuna::ui::EffectsPanel", "Strength"), {0, 4}, 2, 0.05, 1},
+    {EffectKind::ao, QT_TRANSLATE_NOOP("lacuna::ui::EffectsPanel", "Samples"), {1, 256}, 0, 1, 16},
+    {EffectKind::dof, QT_TRANSLATE_NOOP("lacuna::ui::EffectsPanel", "Focus"), {0, 1}, 2, 0.01, 0.3},
+    {EffectKind::dof, QT_TRANSLATE_NOOP("lacuna::ui::EffectsPanel", "Strength"), {0, 8}, 1, 0.1, 1},
+    {EffectKind::dof, QT_TRANSLATE_NOOP("lacuna::ui::EffectsPanel", "Dimming"), {0, 1}, 2, 0.05, 0},
+    {EffectKind::tonemap, QT_TRANSLATE_NOOP("lacuna::ui::EffectsPanel", "White"), {0.1, 5}, 2, 0.05, 1.2},
+    {EffectKind::gamma, QT_TRANSLATE_NOOP("lacuna::ui::EffectsPanel", "Gamma"), {0.2, 4}, 2, 0.05, 1.2},
+    {EffectKind::brightness, QT_TRANSLATE_NOOP("lacuna::ui::EffectsPanel", "Brightness"), {-1, 1}, 2, 0.02, 0.1},
+    {EffectKind::contrast, QT_TRANSLATE_NOOP("lacuna::ui::EffectsPanel", "Contrast"), {0, 4}, 2, 0.05, 1.2}};
 
 }  // namespace
 

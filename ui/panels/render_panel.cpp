@@ -3,6 +3,8 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "ui/language.h"
+
 namespace lacuna::ui {
 
 namespace {
@@ -12,16 +14,21 @@ struct QualityChoice {
     double step;
     Sampler sampler;
 };
-constexpr QualityChoice k_qualities[] = {{"Draft (step 1, nearest)", 1.0, Sampler::nearest},
-                                         {"Fast (step 1)", 1.0, Sampler::linear},
-                                         {"Normal (step 0.5)", 0.5, Sampler::linear},
-                                         {"High (step 0.25)", 0.25, Sampler::linear},
-                                         {"Finest (step 0.1)", 0.1, Sampler::linear}};
+constexpr QualityChoice k_qualities[] = {
+    {QT_TRANSLATE_NOOP("lacuna::ui::RenderPanel", "Draft (step 1, nearest)"), 1.0, Sampler::nearest},
+    {QT_TRANSLATE_NOOP("lacuna::ui::RenderPanel", "Fast (step 1)"), 1.0, Sampler::linear},
+    {QT_TRANSLATE_NOOP("lacuna::ui::RenderPanel", "Normal (step 0.5)"), 0.5, Sampler::linear},
+    {QT_TRANSLATE_NOOP("lacuna::ui::RenderPanel", "High (step 0.25)"), 0.25, Sampler::linear},
+    {QT_TRANSLATE_NOOP("lacuna::ui::RenderPanel", "Finest (step 0.1)"), 0.1, Sampler::linear}};
 
 }  // namespace
 
 const std::vector<ModeName>& mode_names() {
-    static const std::vector<ModeName> names = {
+    static QString language;
+    static std::vector<ModeName> names;
+    if (language == Language::instance()->code()) return names;
+    language = Language::instance()->code();
+    names = {
         {ViewMode::iso, RenderPanel::tr("Isosurface"), RenderPanel::tr("The surface of one value, shaded")},
         {ViewMode::ea, RenderPanel::tr("Volume (emission–absorption)"),
          RenderPanel::tr("Colours and opacities of the transfer function, front to back")},

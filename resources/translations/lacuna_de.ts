@@ -1,0 +1,2617 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>Gestures</name>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Left drag</source>
+        <translation>Links ziehen</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Middle or Shift+left drag</source>
+        <translation>Mitte oder Umschalt+links ziehen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Right drag, wheel</source>
+        <translation>Rechts ziehen, Rad</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Vergrößern, verkleinern</translation>
+    </message>
+    <message>
+        <source>Double click, Enter</source>
+        <translation>Doppelklick, Eingabe</translation>
+    </message>
+    <message>
+        <source>This view alone, or all again</source>
+        <translation>Diese Ansicht allein oder wieder alle</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Shift+arrow keys</source>
+        <translation>Umschalt+Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>+ and −</source>
+        <translation>+ und −</translation>
+    </message>
+    <message>
+        <source>Comma, full stop</source>
+        <translation>Komma, Punkt</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>Set the cross-hair</source>
+        <translation>Fadenkreuz setzen</translation>
+    </message>
+    <message>
+        <source>Wheel, Page Up and Page Down</source>
+        <translation>Rad, Bild auf und Bild ab</translation>
+    </message>
+    <message>
+        <source>Turn the pages</source>
+        <translation>Blättern</translation>
+    </message>
+    <message>
+        <source>Right drag, Shift+arrow keys</source>
+        <translation>Rechts ziehen, Umschalt+Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Window and level</source>
+        <translation>Fensterung</translation>
+    </message>
+    <message>
+        <source>Middle drag</source>
+        <translation>Mitte ziehen</translation>
+    </message>
+    <message>
+        <source>Move the picture</source>
+        <translation>Bild verschieben</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel, + and −</source>
+        <translation>Strg+Rad, + und −</translation>
+    </message>
+    <message>
+        <source>Move the cross-hair</source>
+        <translation>Fadenkreuz bewegen</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alles zeigen</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Transferfunktion</translation>
+    </message>
+    <message>
+        <source>Left drag of a point</source>
+        <translation>Punkt links ziehen</translation>
+    </message>
+    <message>
+        <source>Move it</source>
+        <translation>Ihn bewegen</translation>
+    </message>
+    <message>
+        <source>Double click, Insert</source>
+        <translation>Doppelklick, Einfg</translation>
+    </message>
+    <message>
+        <source>Add a point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Remove the point</source>
+        <translation>Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Right click, Enter</source>
+        <translation>Rechtsklick, Eingabe</translation>
+    </message>
+    <message>
+        <source>Choose its colour</source>
+        <translation>Seine Farbe wählen</translation>
+    </message>
+    <message>
+        <source>Move the point</source>
+        <translation>Punkt bewegen</translation>
+    </message>
+    <message>
+        <source>Page Up and Page Down</source>
+        <translation>Bild auf und Bild ab</translation>
+    </message>
+    <message>
+        <source>Choose another point</source>
+        <translation>Anderen Punkt wählen</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>Widen or narrow the values shown</source>
+        <translation>Gezeigten Wertebereich weiten oder verengen</translation>
+    </message>
+    <message>
+        <source>Range sliders</source>
+        <translation>Bereichsregler</translation>
+    </message>
+    <message>
+        <source>Drag of an end</source>
+        <translation>Ein Ende ziehen</translation>
+    </message>
+    <message>
+        <source>Drag between the ends</source>
+        <translation>Zwischen den Enden ziehen</translation>
+    </message>
+    <message>
+        <source>Move both</source>
+        <translation>Beide bewegen</translation>
+    </message>
+    <message>
+        <source>Tab, arrow keys</source>
+        <translation>Tab, Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Go to the other end, move it</source>
+        <translation>Zum anderen Ende gehen, es bewegen</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>Drop a file or folder</source>
+        <translation>Datei oder Ordner ablegen</translation>
+    </message>
+    <message>
+        <source>Open it</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Tab, Shift+Tab</source>
+        <translation>Tab, Umschalt+Tab</translation>
+    </message>
+    <message>
+        <source>Next or previous control</source>
+        <translation>Nächstes oder voriges Bedienelement</translation>
+    </message>
+    <message>
+        <source>Ctrl+full stop</source>
+        <translation>Strg+Punkt</translation>
+    </message>
+    <message>
+        <source>Cancel what is running</source>
+        <translation>Laufendes abbrechen</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Dismiss the message</source>
+        <translation>Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+</context>
+<context>
+    <name>QToolBar</name>
+    <message>
+        <source>Tool bar</source>
+        <translation>Werkzeugleiste</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::AboutDialog</name>
+    <message>
+        <source>OpenCL device</source>
+        <translation>OpenCL-Gerät</translation>
+    </message>
+    <message>
+        <source>OpenCL driver</source>
+        <translation>OpenCL-Treiber</translation>
+    </message>
+    <message>
+        <source>About Lacuna</source>
+        <translation>Über Lacuna</translation>
+    </message>
+    <message>
+        <source>A workstation for computed tomography: pictures whose error is known, and the measures of what is found in them.</source>
+        <translation>Eine Workstation für die Computertomografie: Bilder, deren Fehler bekannt ist, und die Maße dessen, was in ihnen gefunden wird.</translation>
+    </message>
+    <message>
+        <source>Not a medical device; not for diagnosis.</source>
+        <translation>Kein Medizinprodukt; nicht für die Diagnose.</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later.</source>
+        <translation>Freie Software unter der GNU General Public License, Version 3 oder später.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the versions</source>
+        <translation>Versionen &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the versions</source>
+        <translation>Versionen kopieren</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Type a few letters of a command</source>
+        <translation>Ein paar Buchstaben eines Befehls eingeben</translation>
+    </message>
+    <message>
+        <source>Command to look for</source>
+        <translation>Gesuchter Befehl</translation>
+    </message>
+    <message>
+        <source>Commands found</source>
+        <translation>Gefundene Befehle</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::CriteriaForm</name>
+    <message>
+        <source>Porosity at most</source>
+        <translation>Porosität höchstens</translation>
+    </message>
+    <message>
+        <source>Volume at most</source>
+        <translation>Volumen höchstens</translation>
+    </message>
+    <message>
+        <source>Diameter at most</source>
+        <translation>Durchmesser höchstens</translation>
+    </message>
+    <message>
+        <source>Defects at most</source>
+        <translation>Fehlstellen höchstens</translation>
+    </message>
+    <message>
+        <source>Gap at least</source>
+        <translation>Abstand mindestens</translation>
+    </message>
+    <message>
+        <source>Depth at least</source>
+        <translation>Tiefe mindestens</translation>
+    </message>
+    <message>
+        <source>Material from</source>
+        <translation>Material ab</translation>
+    </message>
+    <message>
+        <source>Material from this value on</source>
+        <translation>Material ab diesem Wert</translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation>unter</translation>
+    </message>
+    <message>
+        <source>Voids below this value</source>
+        <translation>Hohlräume unter diesem Wert</translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>Inclusions above this value</source>
+        <translation>Einschlüsse über diesem Wert</translation>
+    </message>
+    <message>
+        <source>Voids</source>
+        <translation>Hohlräume</translation>
+    </message>
+    <message>
+        <source>Inclusions</source>
+        <translation>Einschlüsse</translation>
+    </message>
+    <message>
+        <source>Unchecked: found in the histogram, at the middle of the threshold&apos;s stable plateau</source>
+        <translation>Aus: im Histogramm gesucht, in der Mitte des stabilen Bereichs der Schwelle</translation>
+    </message>
+    <message>
+        <source>Unchecked: half-way between the two sides of each boundary</source>
+        <translation>Aus: auf halbem Weg zwischen den beiden Seiten jeder Grenze</translation>
+    </message>
+    <message>
+        <source>Look for voids</source>
+        <translation>Hohlräume suchen</translation>
+    </message>
+    <message>
+        <source>Look for inclusions</source>
+        <translation>Einschlüsse suchen</translation>
+    </message>
+    <message>
+        <source>at least </source>
+        <translation>mindestens </translation>
+    </message>
+    <message>
+        <source> voxels</source>
+        <translation> Voxel</translation>
+    </message>
+    <message>
+        <source>Smallest defect, voxels</source>
+        <translation>Kleinste Fehlstelle, Voxel</translation>
+    </message>
+    <message>
+        <source>No zones</source>
+        <translation>Keine Zonen</translation>
+    </message>
+    <message>
+        <source>Zones: %1</source>
+        <translation>Zonen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::CutsPanel</name>
+    <message>
+        <source>Add a cut</source>
+        <translation>Schnitt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Flip side</source>
+        <translation>Seite wechseln</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Azimuth of the cut&apos;s normal</source>
+        <translation>Azimut der Schnittnormale</translation>
+    </message>
+    <message>
+        <source>Elevation of the cut&apos;s normal</source>
+        <translation>Elevation der Schnittnormale</translation>
+    </message>
+    <message>
+        <source>Distance of the cut from the centre</source>
+        <translation>Abstand des Schnitts von der Mitte</translation>
+    </message>
+    <message>
+        <source>Show data values on the cut face</source>
+        <translation>Messwerte auf der Schnittfläche zeigen</translation>
+    </message>
+    <message>
+        <source>Remove a cut</source>
+        <translation>Schnitt entfernen</translation>
+    </message>
+    <message>
+        <source>Flip a cut</source>
+        <translation>Schnittseite wechseln</translation>
+    </message>
+    <message>
+        <source>Turn a cut</source>
+        <translation>Schnitt drehen</translation>
+    </message>
+    <message>
+        <source>Tilt a cut</source>
+        <translation>Schnitt kippen</translation>
+    </message>
+    <message>
+        <source>Move a cut</source>
+        <translation>Schnitt verschieben</translation>
+    </message>
+    <message>
+        <source>Cut face</source>
+        <translation>Schnittfläche</translation>
+    </message>
+    <message>
+        <source>Switch a cut</source>
+        <translation>Schnitt schalten</translation>
+    </message>
+    <message>
+        <source>Cutting planes</source>
+        <translation>Schnittebenen</translation>
+    </message>
+    <message>
+        <source>Add a cutting plane</source>
+        <translation>Schnittebene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the cutting plane</source>
+        <translation>Schnittebene entfernen</translation>
+    </message>
+    <message>
+        <source>Keep the other side of the cut</source>
+        <translation>Andere Seite des Schnitts behalten</translation>
+    </message>
+    <message>
+        <source>Cut sagittally</source>
+        <translation>Sagittal schneiden</translation>
+    </message>
+    <message>
+        <source>Cut coronally</source>
+        <translation>Koronal schneiden</translation>
+    </message>
+    <message>
+        <source>Cut axially</source>
+        <translation>Axial schneiden</translation>
+    </message>
+    <message>
+        <source>Off: the cut is open and inner surfaces show</source>
+        <translation>Aus: der Schnitt ist offen und innere Flächen sind zu sehen</translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation>Azimut</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Elevation</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>Schnitt %1</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::DefectModel</name>
+    <message>
+        <source>Id</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Number of the defect, by descending volume</source>
+        <translation>Nummer der Fehlstelle, nach fallendem Volumen</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Void or inclusion</source>
+        <translation>Hohlraum oder Einschluss</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Held against the limits, or decided by hand</source>
+        <translation>An den Grenzwerten gemessen oder von Hand entschieden</translation>
+    </message>
+    <message>
+        <source>Volume mm³</source>
+        <translation>Volumen mm³</translation>
+    </message>
+    <message>
+        <source>From grey values, below the size of a voxel</source>
+        <translation>Aus Grauwerten, feiner als ein Voxel</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Number of voxels</source>
+        <translation>Zahl der Voxel</translation>
+    </message>
+    <message>
+        <source>Diameter mm</source>
+        <translation>Durchmesser mm</translation>
+    </message>
+    <message>
+        <source>Of the circumscribed sphere</source>
+        <translation>Der umschriebenen Kugel</translation>
+    </message>
+    <message>
+        <source>Eq. diameter mm</source>
+        <translation>Äq. Durchmesser mm</translation>
+    </message>
+    <message>
+        <source>Of the ball of equal volume</source>
+        <translation>Der Kugel gleichen Volumens</translation>
+    </message>
+    <message>
+        <source>Depth mm</source>
+        <translation>Tiefe mm</translation>
+    </message>
+    <message>
+        <source>Distance to the part&apos;s surface</source>
+        <translation>Abstand zur Oberfläche des Teils</translation>
+    </message>
+    <message>
+        <source>Gap mm</source>
+        <translation>Abstand mm</translation>
+    </message>
+    <message>
+        <source>To the next defect</source>
+        <translation>Zur nächsten Fehlstelle</translation>
+    </message>
+    <message>
+        <source>Sphericity</source>
+        <translation>Sphärizität</translation>
+    </message>
+    <message>
+        <source>1 for a ball</source>
+        <translation>1 für eine Kugel</translation>
+    </message>
+    <message>
+        <source>Probability</source>
+        <translation>Wahrscheinlichkeit</translation>
+    </message>
+    <message>
+        <source>That it is a defect and no noise</source>
+        <translation>Dass es eine Fehlstelle und kein Rauschen ist</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Mean value</source>
+        <translation>Mittlerer Wert</translation>
+    </message>
+    <message>
+        <source>Cavities</source>
+        <translation>Höhlen</translation>
+    </message>
+    <message>
+        <source>Closed cavities inside</source>
+        <translation>Geschlossene Höhlen im Inneren</translation>
+    </message>
+    <message>
+        <source>Tunnels</source>
+        <translation>Tunnel</translation>
+    </message>
+    <message>
+        <source>Handles through it</source>
+        <translation>Durchgänge</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
+    </message>
+    <message>
+        <source>What decided the verdict</source>
+        <translation>Was das Urteil entschied</translation>
+    </message>
+    <message>
+        <source>void</source>
+        <translation>Hohlraum</translation>
+    </message>
+    <message>
+        <source>inclusion</source>
+        <translation>Einschluss</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>fail</source>
+        <translation>schlecht</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>unentschieden</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>not measurable</source>
+        <translation>nicht messbar</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::EffectsPanel</name>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Strahlen</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Schärfe</translation>
+    </message>
+    <message>
+        <source>Dimming</source>
+        <translation>Abdunkeln</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Gamma</source>
+        <translation>Gamma</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>Ambient occlusion, of the screen</source>
+        <translation>Umgebungsverdeckung, vom Bild</translation>
+    </message>
+    <message>
+        <source>Darkens creases seen in the depth image</source>
+        <translation>Dunkelt Falten, die im Tiefenbild zu sehen sind</translation>
+    </message>
+    <message>
+        <source>Ambient occlusion, of the volume</source>
+        <translation>Umgebungsverdeckung, vom Volumen</translation>
+    </message>
+    <message>
+        <source>Share of the hemisphere that is blocked, by rays through the volume; takes its time</source>
+        <translation>Verdeckter Anteil der Halbkugel, durch Strahlen im Volumen; braucht seine Zeit</translation>
+    </message>
+    <message>
+        <source>Depth of field</source>
+        <translation>Tiefenschärfe</translation>
+    </message>
+    <message>
+        <source>Blurs by distance from the focal plane</source>
+        <translation>Verwischt nach dem Abstand von der Schärfeebene</translation>
+    </message>
+    <message>
+        <source>Tone mapping</source>
+        <translation>Tonwertabbildung</translation>
+    </message>
+    <message>
+        <source>Compresses what is bright</source>
+        <translation>Staucht das Helle</translation>
+    </message>
+    <message>
+        <source>Colour to the power of one over gamma</source>
+        <translation>Farbe hoch eins durch Gamma</translation>
+    </message>
+    <message>
+        <source>Added to every colour</source>
+        <translation>Zu jeder Farbe addiert</translation>
+    </message>
+    <message>
+        <source>A factor about mid grey</source>
+        <translation>Ein Faktor um mittleres Grau</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::HelpFeature</name>
+    <message>
+        <source>&amp;Find a command…</source>
+        <translation>Befehl &amp;suchen…</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and mouse…</source>
+        <translation>&amp;Tasten und Maus…</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Log…</source>
+        <translation>&amp;Protokoll…</translation>
+    </message>
+    <message>
+        <source>&amp;About Lacuna…</source>
+        <translation>Ü&amp;ber Lacuna…</translation>
+    </message>
+    <message>
+        <source>being looked for</source>
+        <translation>wird gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::InspectionFeature</name>
+    <message>
+        <source>Inspection</source>
+        <translation>Prüfung</translation>
+    </message>
+    <message>
+        <source>&amp;Inspect the part</source>
+        <translation>Teil &amp;prüfen</translation>
+    </message>
+    <message>
+        <source>Inspect</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Ausgeben</translation>
+    </message>
+    <message>
+        <source>&amp;Inspection report…</source>
+        <translation>&amp;Prüfbericht…</translation>
+    </message>
+    <message>
+        <source>Inspecting</source>
+        <translation>Prüfung läuft</translation>
+    </message>
+    <message>
+        <source>Load criteria</source>
+        <translation>Kriterien laden</translation>
+    </message>
+    <message>
+        <source>Criteria (*.json);;All files (*)</source>
+        <translation>Kriterien (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the criteria</source>
+        <translation>Kriterien sichern</translation>
+    </message>
+    <message>
+        <source>Criteria (*.json)</source>
+        <translation>Kriterien (*.json)</translation>
+    </message>
+    <message>
+        <source>Write the report to a new folder</source>
+        <translation>Bericht in einen neuen Ordner schreiben</translation>
+    </message>
+    <message>
+        <source>Folders (*)</source>
+        <translation>Ordner (*)</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Bericht wird geschrieben</translation>
+    </message>
+    <message>
+        <source>The report stands in %1.</source>
+        <translation>Der Bericht steht in %1.</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::InspectionPanel</name>
+    <message>
+        <source>Inspect</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Load criteria…</source>
+        <translation>Kriterien laden…</translation>
+    </message>
+    <message>
+        <source>Save criteria…</source>
+        <translation>Kriterien sichern…</translation>
+    </message>
+    <message>
+        <source>Report…</source>
+        <translation>Bericht…</translation>
+    </message>
+    <message>
+        <source>Accept…</source>
+        <translation>Annehmen…</translation>
+    </message>
+    <message>
+        <source>Reject…</source>
+        <translation>Ablehnen…</translation>
+    </message>
+    <message>
+        <source>Undecide</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Inspect the part</source>
+        <translation>Teil prüfen</translation>
+    </message>
+    <message>
+        <source>Load criteria from a file</source>
+        <translation>Kriterien aus einer Datei laden</translation>
+    </message>
+    <message>
+        <source>Save the criteria as a file</source>
+        <translation>Kriterien als Datei sichern</translation>
+    </message>
+    <message>
+        <source>Write the report folder</source>
+        <translation>Ordner mit dem Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Accept the chosen defect by hand</source>
+        <translation>Gewählte Fehlstelle von Hand annehmen</translation>
+    </message>
+    <message>
+        <source>Reject the part for the chosen defect</source>
+        <translation>Teil wegen der gewählten Fehlstelle ablehnen</translation>
+    </message>
+    <message>
+        <source>Take the decision by hand back</source>
+        <translation>Entscheidung von Hand zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Filter: fail, void, diameter &gt; 0.5</source>
+        <translation>Filter: schlecht, Hohlraum, diameter &gt; 0.5</translation>
+    </message>
+    <message>
+        <source>Filter of the defect table</source>
+        <translation>Filter der Fehlstellentabelle</translation>
+    </message>
+    <message>
+        <source>Colour by verdict</source>
+        <translation>Farbe nach Urteil</translation>
+    </message>
+    <message>
+        <source>Colour by size</source>
+        <translation>Farbe nach Größe</translation>
+    </message>
+    <message>
+        <source>Colour by depth</source>
+        <translation>Farbe nach Tiefe</translation>
+    </message>
+    <message>
+        <source>What the defects&apos; colours tell</source>
+        <translation>Was die Farben der Fehlstellen sagen</translation>
+    </message>
+    <message>
+        <source>Defects</source>
+        <translation>Fehlstellen</translation>
+    </message>
+    <message>
+        <source>Criteria</source>
+        <translation>Kriterien</translation>
+    </message>
+    <message>
+        <source>Inspecting…</source>
+        <translation>Prüfung läuft…</translation>
+    </message>
+    <message>
+        <source>Not inspected</source>
+        <translation>Nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Pass</source>
+        <translation>Gut</translation>
+    </message>
+    <message>
+        <source>Fail</source>
+        <translation>Schlecht</translation>
+    </message>
+    <message>
+        <source>Cannot tell</source>
+        <translation>Unentschieden</translation>
+    </message>
+    <message>
+        <source>%1 (of the settings before; inspect again)</source>
+        <translation>%1 (mit den vorigen Einstellungen; erneut prüfen)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n defect(s)</source>
+        <translation>
+            <numerusform>%n Fehlstelle</numerusform>
+            <numerusform>%n Fehlstellen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Porosity %1 % (%2 to %3)</source>
+        <translation>Porosität %1 % (%2 bis %3)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n decided by hand</source>
+        <translation>
+            <numerusform>%n von Hand entschieden</numerusform>
+            <numerusform>%n von Hand entschieden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Accept defect %1</source>
+        <translation>Fehlstelle %1 annehmen</translation>
+    </message>
+    <message>
+        <source>Reject defect %1</source>
+        <translation>Fehlstelle %1 ablehnen</translation>
+    </message>
+    <message>
+        <source>Reason (kept in the report):</source>
+        <translation>Grund (steht im Bericht):</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::LayoutFeature</name>
+    <message>
+        <source>&amp;Reset the layout</source>
+        <translation>Anordnung &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Arrangement</source>
+        <translation>A&amp;nordnung</translation>
+    </message>
+    <message>
+        <source>&amp;Four views</source>
+        <translation>&amp;Vier Ansichten</translation>
+    </message>
+    <message>
+        <source>Four</source>
+        <translation>Vier</translation>
+    </message>
+    <message>
+        <source>&amp;Large 3D view and three slices</source>
+        <translation>&amp;Große 3D-Ansicht und drei Schichten</translation>
+    </message>
+    <message>
+        <source>One and three</source>
+        <translation>Eins und drei</translation>
+    </message>
+    <message>
+        <source>&amp;One view</source>
+        <translation>&amp;Eine Ansicht</translation>
+    </message>
+    <message>
+        <source>One</source>
+        <translation>Eine</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::LogStore</name>
+    <message>
+        <source>detail</source>
+        <translation>Einzelheit</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::LogWindow</name>
+    <message>
+        <source>Log</source>
+        <translation>Protokoll</translation>
+    </message>
+    <message>
+        <source>Least level shown</source>
+        <translation>Niedrigste gezeigte Stufe</translation>
+    </message>
+    <message>
+        <source>Nothing was logged yet.</source>
+        <translation>Noch wurde nichts protokolliert.</translation>
+    </message>
+    <message>
+        <source>&amp;From level</source>
+        <translation>&amp;Ab Stufe</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the log</source>
+        <translation>Protokoll kopieren</translation>
+    </message>
+    <message>
+        <source>C&amp;lear</source>
+        <translation>&amp;Leeren</translation>
+    </message>
+    <message>
+        <source>Clear the log</source>
+        <translation>Protokoll leeren</translation>
+    </message>
+    <message>
+        <source>Close the log</source>
+        <translation>Protokoll schließen</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::MainWindow</name>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Open &amp;folder…</source>
+        <translation>Or&amp;dner öffnen…</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Open file…</source>
+        <translation>Datei ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;sample</source>
+        <translation>&amp;Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save the 3D picture…</source>
+        <translation>3D-&amp;Bild sichern…</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>View &amp;mode</source>
+        <translation>Darstellungs&amp;art</translation>
+    </message>
+    <message>
+        <source>View mode</source>
+        <translation>Darstellungsart</translation>
+    </message>
+    <message>
+        <source>&amp;Look from</source>
+        <translation>&amp;Blick von</translation>
+    </message>
+    <message>
+        <source>Front (anterior)</source>
+        <translation>Vorn (anterior)</translation>
+    </message>
+    <message>
+        <source>Back (posterior)</source>
+        <translation>Hinten (posterior)</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the 3D view</source>
+        <translation>3D-Ansicht &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset the &amp;slices</source>
+        <translation>Schi&amp;chten zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>&amp;Perspektive</translation>
+    </message>
+    <message>
+        <source>Ma&amp;ximise the view, or show all</source>
+        <translation>Ansicht ma&amp;ximieren oder alle zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>&amp;3D view</source>
+        <translation>&amp;3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Axial slice</source>
+        <translation>&amp;Axiale Schicht</translation>
+    </message>
+    <message>
+        <source>&amp;Coronal slice</source>
+        <translation>&amp;Koronale Schicht</translation>
+    </message>
+    <message>
+        <source>&amp;Sagittal slice</source>
+        <translation>&amp;Sagittale Schicht</translation>
+    </message>
+    <message>
+        <source>C&amp;olours</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>&amp;Ranges</source>
+        <translation>&amp;Bereiche</translation>
+    </message>
+    <message>
+        <source>C&amp;uts</source>
+        <translation>S&amp;chnitte</translation>
+    </message>
+    <message>
+        <source>&amp;Grey levels</source>
+        <translation>&amp;Grauwerte</translation>
+    </message>
+    <message>
+        <source>Region &amp;table</source>
+        <translation>&amp;Regionentabelle</translation>
+    </message>
+    <message>
+        <source>Add a segmentation &amp;range</source>
+        <translation>Segmentierungs&amp;bereich hinzufügen</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Add a &amp;cutting plane</source>
+        <translation>&amp;Schnittebene hinzufügen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM files or TIFF slices</source>
+        <translation>Ordner mit DICOM-Dateien oder TIFF-Schichten öffnen</translation>
+    </message>
+    <message>
+        <source>Open a volume</source>
+        <translation>Volumen öffnen</translation>
+    </message>
+    <message>
+        <source>Volumes (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif *.tiff);;All files (*)</source>
+        <translation>Volumen (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif *.tiff);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the 3D picture</source>
+        <translation>3D-Bild sichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Lacuna</source>
+        <translation>Lacuna</translation>
+    </message>
+    <message>
+        <source>Scene settings</source>
+        <translation>Einstellungen der Szene</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Ranges</source>
+        <translation>Bereiche</translation>
+    </message>
+    <message>
+        <source>Cuts</source>
+        <translation>Schnitte</translation>
+    </message>
+    <message>
+        <source>Grey levels</source>
+        <translation>Grauwerte</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>Effekte</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Looking for a device…</source>
+        <translation>Ein Gerät wird gesucht…</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Opening was cancelled.</source>
+        <translation>Das Öffnen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Window and level</source>
+        <translation>Fensterung</translation>
+    </message>
+    <message>
+        <source>Rendering</source>
+        <translation>Bild wird berechnet</translation>
+    </message>
+    <message>
+        <source>%1 — Lacuna</source>
+        <translation>%1 — Lacuna</translation>
+    </message>
+    <message>
+        <source> (and %1 more notes)</source>
+        <translation> (und %1 weitere Hinweise)</translation>
+    </message>
+    <message>
+        <source>%1 at %2  %3  %4 mm · voxel %5, %6, %7</source>
+        <translation>%1 bei %2  %3  %4 mm · Voxel %5, %6, %7</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>kein Wert</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Dismiss the message</source>
+        <translation>Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::OptionalValue</name>
+    <message>
+        <source>%1, value</source>
+        <translation>%1, Wert</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::RangeRow</name>
+    <message>
+        <source>Range %1</source>
+        <translation>Bereich %1</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Range %1 in use</source>
+        <translation>Bereich %1 an</translation>
+    </message>
+    <message>
+        <source>Lower end of range %1</source>
+        <translation>Unteres Ende von Bereich %1</translation>
+    </message>
+    <message>
+        <source>Upper end of range %1</source>
+        <translation>Oberes Ende von Bereich %1</translation>
+    </message>
+    <message>
+        <source>Colours of range %1</source>
+        <translation>Farben von Bereich %1</translation>
+    </message>
+    <message>
+        <source>Remove range %1</source>
+        <translation>Bereich %1 entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::RangeSlider</name>
+    <message>
+        <source>Value range</source>
+        <translation>Wertebereich</translation>
+    </message>
+    <message>
+        <source>From %1 to %2; arrow keys move the %3 end</source>
+        <translation>Von %1 bis %2; Pfeiltasten bewegen das %3 Ende</translation>
+    </message>
+    <message>
+        <source>upper</source>
+        <translation>obere</translation>
+    </message>
+    <message>
+        <source>lower</source>
+        <translation>untere</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::RangesPanel</name>
+    <message>
+        <source>Add a range</source>
+        <translation>Bereich hinzufügen</translation>
+    </message>
+    <message>
+        <source>No range: every value is kept. With ranges, only values inside them are seen.</source>
+        <translation>Kein Bereich: alle Werte bleiben. Mit Bereichen sind nur Werte darin zu sehen.</translation>
+    </message>
+    <message>
+        <source>Add a segmentation range</source>
+        <translation>Segmentierungsbereich hinzufügen</translation>
+    </message>
+    <message>
+        <source>Scene&apos;s colours</source>
+        <translation>Farben der Szene</translation>
+    </message>
+    <message>
+        <source>Range %1</source>
+        <translation>Bereich %1</translation>
+    </message>
+    <message>
+        <source>Colours of range %1</source>
+        <translation>Farben von Bereich %1</translation>
+    </message>
+    <message>
+        <source>Remove range %1</source>
+        <translation>Bereich %1 entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::RegionModel</name>
+    <message>
+        <source>Id</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Number of the region, by descending size</source>
+        <translation>Nummer der Region, nach fallender Größe</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Number of voxels</source>
+        <translation>Zahl der Voxel</translation>
+    </message>
+    <message>
+        <source>Volume mm³</source>
+        <translation>Volumen mm³</translation>
+    </message>
+    <message>
+        <source>Voxels times the volume of one</source>
+        <translation>Voxel mal das Volumen von einem</translation>
+    </message>
+    <message>
+        <source>Share %</source>
+        <translation>Anteil %</translation>
+    </message>
+    <message>
+        <source>Of the voxels of all regions</source>
+        <translation>An den Voxeln aller Regionen</translation>
+    </message>
+    <message>
+        <source>Surface mm²</source>
+        <translation>Oberfläche mm²</translation>
+    </message>
+    <message>
+        <source>Estimated surface area</source>
+        <translation>Geschätzte Oberfläche</translation>
+    </message>
+    <message>
+        <source>Sphericity</source>
+        <translation>Sphärizität</translation>
+    </message>
+    <message>
+        <source>1 for a ball</source>
+        <translation>1 für eine Kugel</translation>
+    </message>
+    <message>
+        <source>Shape factor</source>
+        <translation>Formfaktor</translation>
+    </message>
+    <message>
+        <source>Surface cubed over volume squared; 113.1 for a ball, more for anything less compact</source>
+        <translation>Oberfläche hoch drei durch Volumen hoch zwei; 113,1 für eine Kugel, mehr für alles weniger Kompakte</translation>
+    </message>
+    <message>
+        <source>Holes</source>
+        <translation>Löcher</translation>
+    </message>
+    <message>
+        <source>Closed cavities</source>
+        <translation>Geschlossene Höhlen</translation>
+    </message>
+    <message>
+        <source>Tunnels</source>
+        <translation>Tunnel</translation>
+    </message>
+    <message>
+        <source>Handles through the region</source>
+        <translation>Durchgänge durch die Region</translation>
+    </message>
+    <message>
+        <source>Diameter mm</source>
+        <translation>Durchmesser mm</translation>
+    </message>
+    <message>
+        <source>Of the ball of equal volume</source>
+        <translation>Der Kugel gleichen Volumens</translation>
+    </message>
+    <message>
+        <source>Length mm</source>
+        <translation>Länge mm</translation>
+    </message>
+    <message>
+        <source>Longest axis of the ellipsoid of equal moments</source>
+        <translation>Längste Achse des Ellipsoids gleicher Momente</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Mean value</source>
+        <translation>Mittlerer Wert</translation>
+    </message>
+    <message>
+        <source>Min</source>
+        <translation>Min</translation>
+    </message>
+    <message>
+        <source>Smallest value</source>
+        <translation>Kleinster Wert</translation>
+    </message>
+    <message>
+        <source>Max</source>
+        <translation>Max</translation>
+    </message>
+    <message>
+        <source>Largest value</source>
+        <translation>Größter Wert</translation>
+    </message>
+    <message>
+        <source>Std. dev.</source>
+        <translation>Std.-Abw.</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the values</source>
+        <translation>Standardabweichung der Werte</translation>
+    </message>
+    <message>
+        <source>x mm</source>
+        <translation>x mm</translation>
+    </message>
+    <message>
+        <source>Centroid, to the patient&apos;s left</source>
+        <translation>Schwerpunkt, zur linken Seite des Patienten</translation>
+    </message>
+    <message>
+        <source>y mm</source>
+        <translation>y mm</translation>
+    </message>
+    <message>
+        <source>Centroid, to the back</source>
+        <translation>Schwerpunkt, nach hinten</translation>
+    </message>
+    <message>
+        <source>z mm</source>
+        <translation>z mm</translation>
+    </message>
+    <message>
+        <source>Centroid, to the head</source>
+        <translation>Schwerpunkt, zum Kopf</translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>The region touches the volume&apos;s border</source>
+        <translation>Die Region berührt den Rand des Volumens</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::RegionsFeature</name>
+    <message>
+        <source>Regions</source>
+        <translation>Regionen</translation>
+    </message>
+    <message>
+        <source>Compute re&amp;gions</source>
+        <translation>Re&amp;gionen berechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Ausgeben</translation>
+    </message>
+    <message>
+        <source>&amp;Region table…</source>
+        <translation>&amp;Regionentabelle…</translation>
+    </message>
+    <message>
+        <source>Finding regions</source>
+        <translation>Regionen werden gesucht</translation>
+    </message>
+    <message>
+        <source>There is no region table yet; compute the regions first.</source>
+        <translation>Es gibt noch keine Regionentabelle; zuerst die Regionen berechnen.</translation>
+    </message>
+    <message>
+        <source>Export the region table</source>
+        <translation>Regionentabelle ausgeben</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::RegionsPanel</name>
+    <message>
+        <source>Current range</source>
+        <translation>Jetziger Bereich</translation>
+    </message>
+    <message>
+        <source>Compute regions</source>
+        <translation>Regionen berechnen</translation>
+    </message>
+    <message>
+        <source>Deselect</source>
+        <translation>Abwählen</translation>
+    </message>
+    <message>
+        <source>Export CSV…</source>
+        <translation>CSV ausgeben…</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Values from</source>
+        <translation>Werte von</translation>
+    </message>
+    <message>
+        <source>Homogeneous, width</source>
+        <translation>Homogen, Breite</translation>
+    </message>
+    <message>
+        <source>How regions are found</source>
+        <translation>Wie Regionen gefunden werden</translation>
+    </message>
+    <message>
+        <source>Connected voxels of a value range, or regions whose values span at most a share of the volume&apos;s value range</source>
+        <translation>Zusammenhängende Voxel eines Wertebereichs oder Regionen, deren Werte höchstens einen Anteil des Wertebereichs des Volumens überspannen</translation>
+    </message>
+    <message>
+        <source>6 neighbours</source>
+        <translation>6 Nachbarn</translation>
+    </message>
+    <message>
+        <source>18 neighbours</source>
+        <translation>18 Nachbarn</translation>
+    </message>
+    <message>
+        <source>26 neighbours</source>
+        <translation>26 Nachbarn</translation>
+    </message>
+    <message>
+        <source>Connectivity</source>
+        <translation>Nachbarschaft</translation>
+    </message>
+    <message>
+        <source>Lowest value of a region</source>
+        <translation>Niedrigster Wert einer Region</translation>
+    </message>
+    <message>
+        <source>Highest value of a region</source>
+        <translation>Höchster Wert einer Region</translation>
+    </message>
+    <message>
+        <source>Range width, percent of the volume&apos;s value range</source>
+        <translation>Breite, Prozent des Wertebereichs des Volumens</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>at least </source>
+        <translation>mindestens </translation>
+    </message>
+    <message>
+        <source> voxels</source>
+        <translation> Voxel</translation>
+    </message>
+    <message>
+        <source>Smallest region, voxels</source>
+        <translation>Kleinste Region, Voxel</translation>
+    </message>
+    <message>
+        <source>Take the current segmentation range</source>
+        <translation>Jetzigen Segmentierungsbereich übernehmen</translation>
+    </message>
+    <message>
+        <source>The first segmentation range in use, or what lies above the isovalue</source>
+        <translation>Der erste Segmentierungsbereich, der an ist, oder was über dem Isowert liegt</translation>
+    </message>
+    <message>
+        <source>Compute the regions</source>
+        <translation>Die Regionen berechnen</translation>
+    </message>
+    <message>
+        <source>Select no region</source>
+        <translation>Keine Region wählen</translation>
+    </message>
+    <message>
+        <source>Export the region table</source>
+        <translation>Regionentabelle ausgeben</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Regionen</translation>
+    </message>
+    <message>
+        <source>1 region</source>
+        <translation>1 Region</translation>
+    </message>
+    <message>
+        <source>%1 regions</source>
+        <translation>%1 Regionen</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Wird berechnet…</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::RenderPanel</name>
+    <message>
+        <source>Draft (step 1, nearest)</source>
+        <translation>Entwurf (Schritt 1, nächster)</translation>
+    </message>
+    <message>
+        <source>Fast (step 1)</source>
+        <translation>Schnell (Schritt 1)</translation>
+    </message>
+    <message>
+        <source>Normal (step 0.5)</source>
+        <translation>Normal (Schritt 0,5)</translation>
+    </message>
+    <message>
+        <source>High (step 0.25)</source>
+        <translation>Hoch (Schritt 0,25)</translation>
+    </message>
+    <message>
+        <source>Finest (step 0.1)</source>
+        <translation>Feinste (Schritt 0,1)</translation>
+    </message>
+    <message>
+        <source>Isosurface</source>
+        <translation>Isofläche</translation>
+    </message>
+    <message>
+        <source>The surface of one value, shaded</source>
+        <translation>Die Fläche eines Werts, beleuchtet</translation>
+    </message>
+    <message>
+        <source>Volume (emission–absorption)</source>
+        <translation>Volumen (Emission–Absorption)</translation>
+    </message>
+    <message>
+        <source>Colours and opacities of the transfer function, front to back</source>
+        <translation>Farben und Deckkraft der Transferfunktion, von vorn nach hinten</translation>
+    </message>
+    <message>
+        <source>Maximum projection (MIP)</source>
+        <translation>Maximumprojektion (MIP)</translation>
+    </message>
+    <message>
+        <source>The largest value of each ray</source>
+        <translation>Der größte Wert jedes Strahls</translation>
+    </message>
+    <message>
+        <source>Local maximum (LMIP)</source>
+        <translation>Lokales Maximum (LMIP)</translation>
+    </message>
+    <message>
+        <source>The first local maximum above a threshold</source>
+        <translation>Das erste lokale Maximum über einer Schwelle</translation>
+    </message>
+    <message>
+        <source>Minimum projection (MinIP)</source>
+        <translation>Minimumprojektion (MinIP)</translation>
+    </message>
+    <message>
+        <source>The smallest value of each ray</source>
+        <translation>Der kleinste Wert jedes Strahls</translation>
+    </message>
+    <message>
+        <source>Mean (radiograph)</source>
+        <translation>Mittel (Röntgenbild)</translation>
+    </message>
+    <message>
+        <source>The mean value of each ray</source>
+        <translation>Der mittlere Wert jedes Strahls</translation>
+    </message>
+    <message>
+        <source>Shear-warp surface</source>
+        <translation>Shear-Warp-Fläche</translation>
+    </message>
+    <message>
+        <source>The surface&apos;s visible voxels by shear and warp</source>
+        <translation>Die sichtbaren Voxel der Fläche durch Scheren und Verzerren</translation>
+    </message>
+    <message>
+        <source>Isovalue</source>
+        <translation>Isowert</translation>
+    </message>
+    <message>
+        <source>Local maximum threshold</source>
+        <translation>Schwelle des lokalen Maximums</translation>
+    </message>
+    <message>
+        <source>Colours of the transfer function</source>
+        <translation>Farben der Transferfunktion</translation>
+    </message>
+    <message>
+        <source>Skip empty space</source>
+        <translation>Leeren Raum überspringen</translation>
+    </message>
+    <message>
+        <source>View mode</source>
+        <translation>Darstellungsart</translation>
+    </message>
+    <message>
+        <source>Keys 1 to 7</source>
+        <translation>Tasten 1 bis 7</translation>
+    </message>
+    <message>
+        <source>Projection in the colours of the transfer function</source>
+        <translation>Projektion in den Farben der Transferfunktion</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Lambert</source>
+        <translation>Lambert</translation>
+    </message>
+    <message>
+        <source>Phong</source>
+        <translation>Phong</translation>
+    </message>
+    <message>
+        <source>Shading</source>
+        <translation>Beleuchtung</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Güte</translation>
+    </message>
+    <message>
+        <source>Distance between samples, in voxels, of the still picture</source>
+        <translation>Abstand der Abtastpunkte des stehenden Bilds, in Voxeln</translation>
+    </message>
+    <message>
+        <source>Off: every sample is taken; the picture is the same, only slower</source>
+        <translation>Aus: jeder Abtastpunkt wird genommen; das Bild ist dasselbe, nur langsamer</translation>
+    </message>
+    <message>
+        <source>&amp;Mode</source>
+        <translation>&amp;Art</translation>
+    </message>
+    <message>
+        <source>Iso&amp;value</source>
+        <translation>Iso&amp;wert</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>&amp;Shading</source>
+        <translation>Be&amp;leuchtung</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>&amp;Güte</translation>
+    </message>
+    <message>
+        <source>Projection colours</source>
+        <translation>Projektionsfarben</translation>
+    </message>
+    <message>
+        <source>Empty-space skipping</source>
+        <translation>Überspringen</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::SeriesDialog</name>
+    <message>
+        <source>Choose a series</source>
+        <translation>Serie wählen</translation>
+    </message>
+    <message>
+        <source>There are %1 volumes here. Which one should be opened?</source>
+        <translation>Hier liegen %1 Volumen. Welches soll geöffnet werden?</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalität</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>Series found</source>
+        <translation>Gefundene Serien</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::SettingsDialog</name>
+    <message>
+        <source>&amp;Hide names, identifiers and dates of patients</source>
+        <translation>&amp;Namen, Kennungen und Daten von Patienten verbergen</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>Erneut &amp;messen</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Pages of settings</source>
+        <translation>Seiten der Einstellungen</translation>
+    </message>
+    <message>
+        <source>&amp;General</source>
+        <translation>&amp;Allgemein</translation>
+    </message>
+    <message>
+        <source>&amp;Computing</source>
+        <translation>&amp;Rechnen</translation>
+    </message>
+    <message>
+        <source>&amp;Folders and privacy</source>
+        <translation>&amp;Ordner und Datenschutz</translation>
+    </message>
+    <message>
+        <source>Keep the settings</source>
+        <translation>Einstellungen übernehmen</translation>
+    </message>
+    <message>
+        <source>Leave the settings as they were</source>
+        <translation>Einstellungen lassen, wie sie waren</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Minutes between automatic saves</source>
+        <translation>Minuten zwischen selbsttätigen Sicherungen</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source>The session is kept beside its file, so that it comes back after a crash</source>
+        <translation>Die Sitzung wird neben ihrer Datei gesichert, damit sie nach einem Absturz wiederkommt</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>&amp;Save the session every</source>
+        <translation>Sitzung si&amp;chern alle</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>The fastest one</source>
+        <translation>Das schnellste</translation>
+    </message>
+    <message>
+        <source>None (the slower built-in renderer)</source>
+        <translation>Keines (der langsamere eingebaute Renderer)</translation>
+    </message>
+    <message>
+        <source>Memory limit</source>
+        <translation>Speichergrenze</translation>
+    </message>
+    <message>
+        <source> MiB</source>
+        <translation> MiB</translation>
+    </message>
+    <message>
+        <source>75 % of the machine&apos;s</source>
+        <translation>75 % des Rechners</translation>
+    </message>
+    <message>
+        <source>Host and device memory together; larger volumes are streamed in bricks</source>
+        <translation>Speicher von Rechner und Gerät zusammen; größere Volumen werden in Blöcken nachgeladen</translation>
+    </message>
+    <message>
+        <source>&amp;Device</source>
+        <translation>&amp;Gerät</translation>
+    </message>
+    <message>
+        <source>M&amp;emory limit</source>
+        <translation>Sp&amp;eichergrenze</translation>
+    </message>
+    <message>
+        <source>Devices found, with their times</source>
+        <translation>Gefundene Geräte mit ihren Zeiten</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation>Speicher</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Why the fastest one is it</source>
+        <translation>Warum das schnellste es ist</translation>
+    </message>
+    <message>
+        <source>Measure the devices again</source>
+        <translation>Geräte erneut messen</translation>
+    </message>
+    <message>
+        <source>Tests every device and times it with a short rendering</source>
+        <translation>Prüft jedes Gerät und stoppt die Zeit eines kurzen Renderns</translation>
+    </message>
+    <message>
+        <source>Hide names, identifiers and dates of patients</source>
+        <translation>Namen, Kennungen und Daten von Patienten verbergen</translation>
+    </message>
+    <message>
+        <source>&amp;Open from</source>
+        <translation>Öffnen &amp;aus</translation>
+    </message>
+    <message>
+        <source>Folder to open from</source>
+        <translation>Ordner, aus dem geöffnet wird</translation>
+    </message>
+    <message>
+        <source>&amp;Write to</source>
+        <translation>Schreiben &amp;in</translation>
+    </message>
+    <message>
+        <source>Folder to write to</source>
+        <translation>Ordner, in den geschrieben wird</translation>
+    </message>
+    <message>
+        <source>the last one used</source>
+        <translation>der zuletzt benutzte</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>Wählen: %1</translation>
+    </message>
+    <message>
+        <source>Measuring…</source>
+        <translation>Wird gemessen…</translation>
+    </message>
+    <message>
+        <source>cannot be used</source>
+        <translation>nicht benutzbar</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>graphics card</source>
+        <translation>Grafikkarte</translation>
+    </message>
+    <message>
+        <source>processor</source>
+        <translation>Prozessor</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>anderes</translation>
+    </message>
+    <message>
+        <source>%1 GiB</source>
+        <translation>%1 GiB</translation>
+    </message>
+    <message>
+        <source>No OpenCL device was found.</source>
+        <translation>Es wurde kein OpenCL-Gerät gefunden.</translation>
+    </message>
+    <message>
+        <source>No device can be used.</source>
+        <translation>Kein Gerät ist benutzbar.</translation>
+    </message>
+    <message>
+        <source>The fastest one is in bold.</source>
+        <translation>Das schnellste steht fett.</translation>
+    </message>
+    <message>
+        <source>%1 (not found now)</source>
+        <translation>%1 (gerade nicht gefunden)</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::SettingsFeature</name>
+    <message>
+        <source>&amp;Settings…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::ShortcutSheet</name>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Search keys and commands</source>
+        <translation>Tasten und Befehle suchen</translation>
+    </message>
+    <message>
+        <source>Words to look for</source>
+        <translation>Gesuchte Wörter</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Keys or mouse</source>
+        <translation>Tasten oder Maus</translation>
+    </message>
+    <message>
+        <source>Mouse: %1</source>
+        <translation>Maus: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken…</translation>
+    </message>
+    <message>
+        <source>Print the sheet</source>
+        <translation>Übersicht drucken</translation>
+    </message>
+    <message>
+        <source>Close the sheet</source>
+        <translation>Übersicht schließen</translation>
+    </message>
+    <message>
+        <source>Lacuna: keys and mouse</source>
+        <translation>Lacuna: Tasten und Maus</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::SliceView</name>
+    <message>
+        <source>%1 slice</source>
+        <translation>Schicht: %1</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the cross-hair, Page Up and Page Down turn the pages, Shift and arrow keys change window and level.</source>
+        <translation>Pfeiltasten bewegen das Fadenkreuz, Bild auf und Bild ab blättern, Umschalt und Pfeiltasten ändern die Fensterung.</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>L %1  W %2</source>
+        <translation>L %1  W %2</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::SlicesPanel</name>
+    <message>
+        <source>Level</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>Window width</source>
+        <translation>Fensterbreite</translation>
+    </message>
+    <message>
+        <source>As the slices</source>
+        <translation>Wie die Schichten</translation>
+    </message>
+    <message>
+        <source>Window preset</source>
+        <translation>Fenstervorgabe</translation>
+    </message>
+    <message>
+        <source>Grey levels of the 3D view</source>
+        <translation>Grauwerte der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Grey levels of the 3D view as in the slices</source>
+        <translation>Grauwerte der 3D-Ansicht wie in den Schichten</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Fenster</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Grey levels of projections and cut faces in 3D</source>
+        <translation>Grauwerte der Projektionen und Schnittflächen in 3D</translation>
+    </message>
+    <message>
+        <source>As opened</source>
+        <translation>Wie geöffnet</translation>
+    </message>
+    <message>
+        <source>Full range</source>
+        <translation>Ganzer Bereich</translation>
+    </message>
+    <message>
+        <source>%1 (L %2, W %3)</source>
+        <translation>%1 (L %2, W %3)</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Eigenes</translation>
+    </message>
+    <message>
+        <source>Window and level</source>
+        <translation>Fensterung</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::StatusLine</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Value under the cursor</source>
+        <translation>Wert unter dem Zeiger</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Letztes Bild</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Cancel the running job</source>
+        <translation>Laufende Aufgabe abbrechen</translation>
+    </message>
+    <message>
+        <source>Stops what is running (Ctrl+.)</source>
+        <translation>Hält an, was läuft (Strg+.)</translation>
+    </message>
+    <message>
+        <source>All running jobs: choose one to cancel it</source>
+        <translation>Alle laufenden Aufgaben: eine wählen, um sie abzubrechen</translation>
+    </message>
+    <message>
+        <source>All running jobs</source>
+        <translation>Alle laufenden Aufgaben</translation>
+    </message>
+    <message>
+        <source>%1 · %2 ms%3 · %4 MiB</source>
+        <translation>%1 · %2 ms%3 · %4 MiB</translation>
+    </message>
+    <message>
+        <source> (coarse)</source>
+        <translation> (grob)</translation>
+    </message>
+    <message>
+        <source>+%1</source>
+        <translation>+%1</translation>
+    </message>
+    <message>
+        <source>Cancel: %1</source>
+        <translation>Abbrechen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::TaskList</name>
+    <message>
+        <source>a few seconds left</source>
+        <translation>noch ein paar Sekunden</translation>
+    </message>
+    <message>
+        <source>about %1 s left</source>
+        <translation>noch etwa %1 s</translation>
+    </message>
+    <message numerus="yes">
+        <source>about %n min left</source>
+        <translation>
+            <numerusform>noch etwa %n min</numerusform>
+            <numerusform>noch etwa %n min</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::TransferPanel</name>
+    <message>
+        <source>Colour…</source>
+        <translation>Farbe…</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Laden…</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Sichern…</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Transferfunktion</translation>
+    </message>
+    <message>
+        <source>Choose a preset…</source>
+        <translation>Vorgabe wählen…</translation>
+    </message>
+    <message>
+        <source>Transfer function preset</source>
+        <translation>Vorgabe der Transferfunktion</translation>
+    </message>
+    <message>
+        <source>Value of the selected point</source>
+        <translation>Wert des gewählten Punkts</translation>
+    </message>
+    <message>
+        <source>Opacity of the selected point</source>
+        <translation>Deckkraft des gewählten Punkts</translation>
+    </message>
+    <message>
+        <source>Colour of the selected point</source>
+        <translation>Farbe des gewählten Punkts</translation>
+    </message>
+    <message>
+        <source>Add a point after the selected one</source>
+        <translation>Punkt nach dem gewählten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the selected point</source>
+        <translation>Gewählten Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Load a transfer function file</source>
+        <translation>Transferfunktion aus einer Datei laden</translation>
+    </message>
+    <message>
+        <source>Save the transfer function to a file</source>
+        <translation>Transferfunktion in eine Datei sichern</translation>
+    </message>
+    <message>
+        <source>Val&amp;ue</source>
+        <translation>&amp;Wert</translation>
+    </message>
+    <message>
+        <source>&amp;Opacity</source>
+        <translation>&amp;Deckkraft</translation>
+    </message>
+    <message>
+        <source>Colour of the point</source>
+        <translation>Farbe des Punkts</translation>
+    </message>
+    <message>
+        <source>Colour of a point</source>
+        <translation>Farbe eines Punkts</translation>
+    </message>
+    <message>
+        <source>Load a transfer function</source>
+        <translation>Transferfunktion laden</translation>
+    </message>
+    <message>
+        <source>Transfer functions (*.json);;All files (*)</source>
+        <translation>Transferfunktionen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the transfer function</source>
+        <translation>Transferfunktion sichern</translation>
+    </message>
+    <message>
+        <source>Transfer functions (*.json)</source>
+        <translation>Transferfunktionen (*.json)</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::TransferPlot</name>
+    <message>
+        <source>Transfer function</source>
+        <translation>Transferfunktion</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the selected point, Page Up and Page Down select another, Insert adds one, Delete removes it, Enter chooses its colour.</source>
+        <translation>Pfeiltasten bewegen den gewählten Punkt, Bild auf und Bild ab wählen einen anderen, Einfg fügt einen hinzu, Entf entfernt ihn, Eingabe wählt seine Farbe.</translation>
+    </message>
+    <message>
+        <source>Drag points · double click adds one · Delete removes it · right click chooses its colour · wheel zooms the value axis</source>
+        <translation>Punkte ziehen · Doppelklick fügt einen hinzu · Entf entfernt ihn · Rechtsklick wählt seine Farbe · Rad vergrößert die Wertachse</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::ValueSlider</name>
+    <message>
+        <source>%1, number</source>
+        <translation>%1, Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::VolumeView</name>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Arrow keys turn the volume, Shift and arrow keys move it, plus and minus zoom, Home resets; A, P, L, R, H and F look from a side.</source>
+        <translation>Pfeiltasten drehen das Volumen, Umschalt und Pfeiltasten verschieben es, Plus und Minus vergrößern und verkleinern, Pos1 setzt zurück; A, P, L, R, H und F blicken von einer Seite.</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::WelcomePage</name>
+    <message>
+        <source>Drop a DICOM folder or a volume file here, or open one.</source>
+        <translation>Einen DICOM-Ordner oder eine Volumendatei hier ablegen oder öffnen.</translation>
+    </message>
+    <message>
+        <source>Open folder…</source>
+        <translation>Ordner öffnen…</translation>
+    </message>
+    <message>
+        <source>Open file…</source>
+        <translation>Datei öffnen…</translation>
+    </message>
+    <message>
+        <source>Sample: casting</source>
+        <translation>Beispiel: Gussteil</translation>
+    </message>
+    <message>
+        <source>Sample: head</source>
+        <translation>Beispiel: Kopf</translation>
+    </message>
+    <message>
+        <source>Not a medical device. Not for diagnosis.</source>
+        <translation>Kein Medizinprodukt. Nicht für die Diagnose.</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::Workbench</name>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Tafeln</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>&amp;Gehe zu</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::Workstation</name>
+    <message>
+        <source>The language changes as soon as the running jobs have ended.</source>
+        <translation>Die Sprache wechselt, sobald die laufenden Aufgaben beendet sind.</translation>
+    </message>
+</context>
+</TS>
