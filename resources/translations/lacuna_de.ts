@@ -1127,10 +1127,6 @@
         <translation>&amp;Beispiel öffnen</translation>
     </message>
     <message>
-        <source>&amp;Save the 3D picture…</source>
-        <translation>3D-&amp;Bild sichern…</translation>
-    </message>
-    <message>
         <source>Picture</source>
         <translation>Bild</translation>
     </message>
@@ -1343,10 +1339,6 @@
         <translation>Bild wird berechnet</translation>
     </message>
     <message>
-        <source>%1 — Lacuna</source>
-        <translation>%1 — Lacuna</translation>
-    </message>
-    <message>
         <source> (and %1 more notes)</source>
         <translation> (und %1 weitere Hinweise)</translation>
     </message>
@@ -1357,6 +1349,18 @@
     <message>
         <source>no value</source>
         <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Ausgeben</translation>
+    </message>
+    <message>
+        <source>The 3D &amp;picture…</source>
+        <translation>Das 3D-&amp;Bild…</translation>
+    </message>
+    <message>
+        <source>%1[*] — Lacuna</source>
+        <translation>%1[*] — Lacuna</translation>
     </message>
 </context>
 <context>
@@ -1979,6 +1983,81 @@
     <message>
         <source>Series found</source>
         <translation>Gefundene Serien</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::SessionFeature</name>
+    <message>
+        <source>Sessions (*.lacuna)</source>
+        <translation>Sitzungen (*.lacuna)</translation>
+    </message>
+    <message>
+        <source>Open a sess&amp;ion…</source>
+        <translation>S&amp;itzung öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a session</source>
+        <translation>Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>Open the &amp;last session again</source>
+        <translation>&amp;Letzte Sitzung wieder öffnen</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the session</source>
+        <translation>Sitzung &amp;sichern</translation>
+    </message>
+    <message>
+        <source>Session</source>
+        <translation>Sitzung</translation>
+    </message>
+    <message>
+        <source>Save the session &amp;as…</source>
+        <translation>Sitzung sichern &amp;als…</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Sitzung sichern</translation>
+    </message>
+    <message>
+        <source>Saving the session</source>
+        <translation>Sitzung wird gesichert</translation>
+    </message>
+    <message>
+        <source>The session is saved in %1.</source>
+        <translation>Die Sitzung ist in %1 gesichert.</translation>
+    </message>
+    <message>
+        <source>Where is the session&apos;s data?</source>
+        <translation>Wo liegen die Daten der Sitzung?</translation>
+    </message>
+    <message>
+        <source>The data of %1 is not where it was (%2). What is open stays open.</source>
+        <translation>Die Daten von %1 liegen nicht mehr dort, wo sie waren (%2). Was offen ist, bleibt offen.</translation>
+    </message>
+    <message>
+        <source>Locate the folder…</source>
+        <translation>Ordner suchen…</translation>
+    </message>
+    <message>
+        <source>Locate the file…</source>
+        <translation>Datei suchen…</translation>
+    </message>
+    <message>
+        <source>The data changed since this session was saved: its voxels are not the same. Measurements and decisions may not fit what is shown; save the session under another name to keep both.</source>
+        <translation>Die Daten haben sich geändert, seit diese Sitzung gesichert wurde: ihre Voxel sind nicht dieselben. Messungen und Entscheidungen passen vielleicht nicht zu dem, was gezeigt wird; die Sitzung unter anderem Namen sichern, um beide zu behalten.</translation>
+    </message>
+    <message>
+        <source>Lacuna did not end as it should. What was open was last kept at %1.</source>
+        <translation>Lacuna wurde nicht ordentlich beendet. Was offen war, wurde zuletzt um %1 gesichert.</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
     </message>
 </context>
 <context>

@@ -42,6 +42,27 @@ InspectionFeature::InspectionFeature(Workbench& bench)
     });
     connect(documents, &DocumentController::inspectionChanged, this,
             [this, documents] { panel_->setAnalysis(documents->document().inspection); });
+    connect(&bench, &Workbench::stateWanted, this, [this](QVariantMap& state) {
+        QVariantList words;
+        for (const HandDecision& word : panel_->judgement().by_hand)
+            words << QVariant(QVariantList{word.defect, word.accepted, QString::fromStdString(word.reason)});
+        state[QStringLiteral("inspection/by_hand")] = words;
+        state[QStringLiteral("inspection/criteria")] =
+            QString::fromStdString(criteria_to_json(panel_->form()->criteria()));
+        state[QStringLiteral("inspection/current")] = panel_->isCurrent();
+    });
+    connect(&bench, &Workbench::stateBack, this, [this](const QVariantMap& state) {
+        try {
+            panel_->adoptCriteria(
+                parse_criteria(state[QStringLiteral("inspection/criteria")].toString().toStdString(), "criteria"),
+                state[QStringLiteral("inspection/current")].toBool());
+        } catch (const Error& error) {
+            bench_.report(error);
+        }
+        for (const QVariant& word : state[QStringLiteral("inspection/by_hand")].toList())
+            panel_->decide(word.toList().value(0).toUInt(), word.toList().value(1).toBool(),
+                           word.toList().value(2).toString());
+    });
 }
 
 void InspectionFeature::inspect(const DetectionOptions& options) {

@@ -6,6 +6,7 @@
 #include <QUuid>
 
 #include "ui/preferences.h"
+#include "ui/tool_bar.h"
 
 namespace lacuna::ui {
 
@@ -56,6 +57,14 @@ SessionFeature::SessionFeature(Workbench& bench, InspectionFeature& inspection)
     connect(inspection.panel(), &InspectionPanel::decided, this, &SessionFeature::changed);
     connect(bench.loader(), &LoadController::failed, this, [this] { pending_.reset(); });
     connect(bench.loader(), &LoadController::cancelled, this, [this] { pending_.reset(); });
+    connect(&bench, &Workbench::stateWanted, this, [this](QVariantMap& state) {
+        state[QStringLiteral("session/file")] = file_;
+        state[QStringLiteral("session/changed")] = bench_.window()->isWindowModified();
+    });
+    connect(&bench, &Workbench::stateBack, this, [this](const QVariantMap& state) {
+        file_ = state[QStringLiteral("session/file")].toString();
+        bench_.window()->setWindowModified(state[QStringLiteral("session/changed")].toBool());
+    });
     QTimer::singleShot(0, this, &SessionFeature::offerRecovery);
 }
 
@@ -81,7 +90,8 @@ void SessionFeature::buildMenu() {
     QAction* last =
         bench_.addAlways(file, tr("Open the &last session again"), {}, this, [this] { openFile(lastFile()); });
     connect(file, &QMenu::aboutToShow, last, [last] { last->setEnabled(QFileInfo::exists(lastFile())); });
-    bench_.add(file, tr("Sa&ve the session"), QKeySequence::Save, this, &SessionFeature::save);
+    offer_tool(bench_.add(file, tr("Sa&ve the session"), QKeySequence::Save, this, &SessionFeature::save),
+               ToolGroup::document, Icon::save, tr("Session"));
     bench_.add(file, tr("Save the session &as…"), QKeySequence(QStringLiteral("Ctrl+Shift+S")), this,
                &SessionFeature::saveAs);
 }

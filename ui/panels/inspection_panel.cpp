@@ -134,9 +134,11 @@ void InspectionPanel::setVolume(const Volume& volume, const VolumeStatistics& st
     setAnalysis(nullptr);
 }
 
-void InspectionPanel::setCriteria(const Criteria& criteria) {
+void InspectionPanel::setCriteria(const Criteria& criteria) { adoptCriteria(criteria, false); }
+
+void InspectionPanel::adoptCriteria(const Criteria& criteria, bool current) {
     form_->setCriteria(criteria);
-    stale_ = analysis_ != nullptr;
+    stale_ = analysis_ != nullptr && !current;
     judgeAgain();
 }
 

@@ -22,6 +22,9 @@ public:
     void setCriteria(const lacuna::Criteria& criteria);
     /// A new analysis; null: none. Decisions by hand are forgotten.
     void setAnalysis(std::shared_ptr<const lacuna::PartAnalysis> analysis);
+    /// @param current  whether what was found was found by these criteria
+    void adoptCriteria(const lacuna::Criteria& criteria, bool current);
+    bool isCurrent() const { return !stale_; }
     void setRunning(bool running);
 
     CriteriaForm* form() const { return form_; }
