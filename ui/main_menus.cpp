@@ -6,6 +6,7 @@
 #include "core/base/atomic_file.h"
 #include "core/volume/samples.h"
 #include "ui/main_window.h"
+#include "ui/preferences.h"
 #include "ui/tool_bar.h"
 
 namespace lacuna::ui {
@@ -124,27 +125,33 @@ void MainWindow::buildViewMenu() {
     full->setCheckable(true);
 }
 
+/// Brings a panel to the front, also one that was closed, and gives one of its widgets the keys.
+void MainWindow::focusPanel(QDockWidget* dock, QWidget* widget) {
+    dock->show();
+    dock->raise();
+    widget->setFocus(Qt::TabFocusReason);
+}
+
 void MainWindow::focusTab(int tab, QWidget* widget) {
     tabs_->setCurrentIndex(tab);
-    widget->setFocus(Qt::TabFocusReason);
+    focusPanel(scene_dock_, widget);
 }
 
 void MainWindow::buildGoMenu() {
     QMenu* go = bench_->menu(Menu::go);
     const auto key = [](int digit) { return QKeySequence(QStringLiteral("Ctrl+%1").arg(digit)); };
-    const auto to = [](QWidget* widget) { return [widget] { widget->setFocus(Qt::TabFocusReason); }; };
     const auto view = [this](QWidget* widget) { return [this, widget] { views_->focusView(widget); }; };
     bench_->add(go, tr("&3D view"), key(1), this, view(views_->volumeView()));
     bench_->add(go, tr("&Axial slice"), key(2), this, view(views_->slice(SliceKind::axial)));
     bench_->add(go, tr("&Coronal slice"), key(3), this, view(views_->slice(SliceKind::coronal)));
     bench_->add(go, tr("&Sagittal slice"), key(4), this, view(views_->slice(SliceKind::sagittal)));
-    bench_->add(go, tr("View &mode"), key(5), this, to(render_panel_->modeBox()));
+    bench_->add(go, tr("View &mode"), key(5), this, [this] { focusPanel(scene_dock_, render_panel_->modeBox()); });
     bench_->add(go, tr("C&olours"), key(6), this, [this] { focusTab(0, transfer_panel_->plot()); });
     bench_->add(go, tr("&Ranges"), key(7), this, [this] { focusTab(1, ranges_panel_->addButton()); });
     bench_->add(go, tr("C&uts"), key(8), this, [this] { focusTab(2, cuts_panel_->addButton()); });
     bench_->add(go, tr("&Grey levels"), key(9), this, [this] { focusTab(3, slices_panel_->presetBox()); });
     bench_->add(go, tr("Region &table"), key(0), this,
-                [this] { regions_->panel()->table()->setFocus(Qt::TabFocusReason); });
+                [this] { focusPanel(regions_->dock(), regions_->panel()->table()); });
 }
 
 void MainWindow::buildToolsMenu() {
@@ -164,21 +171,22 @@ void MainWindow::buildToolsMenu() {
 }
 
 void MainWindow::openFolder() {
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a folder of DICOM files or TIFF slices"));
+    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a folder of DICOM files or TIFF slices"),
+                                                             preferences::open_folder());
     if (!folder.isEmpty()) openInput(folder);
 }
 
 void MainWindow::openFile() {
     const QString file = QFileDialog::getOpenFileName(
-        this, tr("Open a volume"), QString(),
+        this, tr("Open a volume"), preferences::open_folder(),
         tr("Volumes (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif *.tiff);;"
            "All files (*)"));
     if (!file.isEmpty()) openInput(file);
 }
 
 void MainWindow::savePicture() {
-    const QString file = QFileDialog::getSaveFileName(this, tr("Save the 3D picture"), QStringLiteral("lacuna.png"),
-                                                      tr("Pictures (*.png)"));
+    const QString file = QFileDialog::getSaveFileName(
+        this, tr("Save the 3D picture"), preferences::save_path(QStringLiteral("lacuna.png")), tr("Pictures (*.png)"));
     if (file.isEmpty()) return;
     QByteArray bytes;
     QBuffer buffer(&bytes);

@@ -77,9 +77,9 @@ void MainWindow::buildDocks() {
     tabs_->addTab(effects_panel_, tr("Effects"));
     side_->setMinimumWidth(320);
     bench_->needDocument(side_);
-    QDockWidget* scene = bench_->addDock(QStringLiteral("scene"), tr("Scene"), side_, Qt::RightDockWidgetArea);
+    scene_dock_ = bench_->addDock(QStringLiteral("scene"), tr("Scene"), side_, Qt::RightDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    resizeDocks({scene}, {370}, Qt::Horizontal);
+    resizeDocks({scene_dock_}, {370}, Qt::Horizontal);
 }
 
 /// One line a feature; the order is that of their entries in the menus.

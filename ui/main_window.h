@@ -84,6 +84,7 @@ private:
     void connectViews();
     void connectPanels();
     void connectRendering();
+    void focusPanel(QDockWidget* dock, QWidget* widget);
     void focusTab(int tab, QWidget* widget);
 
     void showDocument();
@@ -110,6 +111,7 @@ private:
     SlicesPanel* slices_panel_;
     EffectsPanel* effects_panel_;
     QWidget* side_;
+    QDockWidget* scene_dock_ = nullptr;
     RegionsFeature* regions_ = nullptr;
     InspectionFeature* inspection_ = nullptr;
     SessionFeature* session_ = nullptr;

@@ -39,6 +39,8 @@ QString open_folder();
 void set_open_folder(const QString& folder);
 QString save_folder();
 void set_save_folder(const QString& folder);
+/// A file of that name where dialogs for writing start.
+QString save_path(const QString& name);
 
 /// The window's place and docks, as QMainWindow::saveGeometry() and saveState() give them.
 QByteArray window_geometry();

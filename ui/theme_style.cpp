@@ -140,6 +140,8 @@ int ThemeStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWid
                           QStyleHintReturn* answer) const {
     // A click on a slider's groove goes there, instead of a page towards it.
     if (hint == SH_Slider_AbsoluteSetButtons) return Qt::LeftButton;
+    // Words alone: the platform's little pictures of ticks and crosses fit neither theme.
+    if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
     return QProxyStyle::styleHint(hint, option, widget, answer);
 }
 

@@ -22,8 +22,8 @@ ShortcutSheet::ShortcutSheet(const QList<CatalogEntry>& entries, QWidget* parent
     table_->setAccessibleName(tr("Keys and mouse"));
     table_->setColumnCount(2);
     table_->setHeaderLabels({tr("Command"), tr("Keys or mouse")});
-    table_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    table_->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    table_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    table_->header()->setStretchLastSection(true);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     for (const CatalogEntry& entry : entries) {
         if (entry.shortcut.isEmpty()) continue;

@@ -5,6 +5,7 @@
 #include "core/base/atomic_file.h"
 #include "core/inspect/report.h"
 #include "core/io/dicom_source.h"
+#include "ui/preferences.h"
 #include "ui/tool_bar.h"
 
 namespace lacuna::ui {
@@ -120,8 +121,8 @@ void InspectionFeature::choose(std::uint32_t id) {
 }
 
 void InspectionFeature::loadCriteria() {
-    const QString file =
-        QFileDialog::getOpenFileName(bench_.window(), tr("Load criteria"), {}, tr("Criteria (*.json);;All files (*)"));
+    const QString file = QFileDialog::getOpenFileName(bench_.window(), tr("Load criteria"), preferences::open_folder(),
+                                                      tr("Criteria (*.json);;All files (*)"));
     if (file.isEmpty()) return;
     try {
         panel_->setCriteria(read_criteria(file.toStdString()));
@@ -131,8 +132,9 @@ void InspectionFeature::loadCriteria() {
 }
 
 void InspectionFeature::saveCriteria() {
-    const QString file = QFileDialog::getSaveFileName(bench_.window(), tr("Save the criteria"),
-                                                      QStringLiteral("criteria.json"), tr("Criteria (*.json)"));
+    const QString file =
+        QFileDialog::getSaveFileName(bench_.window(), tr("Save the criteria"),
+                                     preferences::save_path(QStringLiteral("criteria.json")), tr("Criteria (*.json)"));
     if (file.isEmpty()) return;
     try {
         write_file(file.toStdString(), criteria_to_json(panel_->form()->criteria()) + "\n");
@@ -142,8 +144,9 @@ void InspectionFeature::saveCriteria() {
 }
 
 void InspectionFeature::exportReport() {
-    const QString folder = QFileDialog::getSaveFileName(bench_.window(), tr("Write the report to a new folder"),
-                                                        QStringLiteral("report"), tr("Folders (*)"));
+    const QString folder =
+        QFileDialog::getSaveFileName(bench_.window(), tr("Write the report to a new folder"),
+                                     preferences::save_path(QStringLiteral("report")), tr("Folders (*)"));
     if (!folder.isEmpty()) writeReport(folder);
 }
 

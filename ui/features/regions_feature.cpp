@@ -3,6 +3,7 @@
 #include <QFileDialog>
 
 #include "core/base/atomic_file.h"
+#include "ui/preferences.h"
 #include "ui/tool_bar.h"
 
 namespace lacuna::ui {
@@ -86,8 +87,9 @@ void RegionsFeature::exportTable() {
         bench_.messages()->showNotice(tr("There is no region table yet; compute the regions first."));
         return;
     }
-    const QString file = QFileDialog::getSaveFileName(bench_.window(), tr("Export the region table"),
-                                                      QStringLiteral("regions.csv"), tr("Tables (*.csv)"));
+    const QString file =
+        QFileDialog::getSaveFileName(bench_.window(), tr("Export the region table"),
+                                     preferences::save_path(QStringLiteral("regions.csv")), tr("Tables (*.csv)"));
     if (file.isEmpty()) return;
     try {
         write_file(file.toStdString(), regions_to_csv(*documents->document().regions));

@@ -84,7 +84,8 @@ void SessionFeature::finish() {
 void SessionFeature::buildMenu() {
     QMenu* file = bench_.menu(Workbench::Menu::file);
     bench_.addAlways(file, tr("Open a sess&ion…"), QKeySequence(QStringLiteral("Ctrl+Alt+O")), this, [this] {
-        const QString name = QFileDialog::getOpenFileName(bench_.window(), tr("Open a session"), {}, session_filter());
+        const QString name = QFileDialog::getOpenFileName(bench_.window(), tr("Open a session"),
+                                                          preferences::open_folder(), session_filter());
         if (!name.isEmpty()) openFile(name);
     });
     QAction* last =
@@ -109,8 +110,9 @@ void SessionFeature::save() {
 }
 
 void SessionFeature::saveAs() {
-    QString name = QFileDialog::getSaveFileName(bench_.window(), tr("Save the session"),
-                                                QStringLiteral("session.lacuna"), session_filter());
+    QString name =
+        QFileDialog::getSaveFileName(bench_.window(), tr("Save the session"),
+                                     preferences::save_path(QStringLiteral("session.lacuna")), session_filter());
     if (name.isEmpty()) return;
     if (QFileInfo(name).suffix().isEmpty()) name += QLatin1String(k_session_suffix);
     saveTo(name);
@@ -164,8 +166,9 @@ void SessionFeature::start(Session session, const QString& file) {
 void SessionFeature::askForData(Session session, const QString& file) {
     const auto locate = [this, session, file](bool folder) {
         const QString title = tr("Where is the session's data?");
-        const QString name = folder ? QFileDialog::getExistingDirectory(bench_.window(), title)
-                                    : QFileDialog::getOpenFileName(bench_.window(), title);
+        const QString name = folder
+                                 ? QFileDialog::getExistingDirectory(bench_.window(), title, preferences::open_folder())
+                                 : QFileDialog::getOpenFileName(bench_.window(), title, preferences::open_folder());
         if (name.isEmpty()) return;
         Session moved = session;
         moved.input = name.toStdString();
