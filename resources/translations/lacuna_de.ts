@@ -286,6 +286,191 @@
     </message>
 </context>
 <context>
+    <name>lacuna::ui::AccuracyFeature</name>
+    <message>
+        <source>Speed and accuracy</source>
+        <translation>Tempo und Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Open a volume to measure how fast and how exact each way of drawing it is.</source>
+        <translation>Ein Volumen öffnen, um zu messen, wie schnell und wie genau jede Art ist, es zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Sp&amp;eed and accuracy</source>
+        <translation>T&amp;empo und Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Picture, &amp;brute force, difference</source>
+        <translation>Bild, volle &amp;Rechnung, Unterschied</translation>
+    </message>
+    <message>
+        <source>&amp;Error badge</source>
+        <translation>&amp;Fehleranzeige</translation>
+    </message>
+    <message>
+        <source>&amp;Faster: a larger budget</source>
+        <translation>Sch&amp;neller: größerer Spielraum</translation>
+    </message>
+    <message>
+        <source>&amp;More exact: a smaller budget</source>
+        <translation>&amp;Genauer: kleinerer Spielraum</translation>
+    </message>
+    <message>
+        <source>&amp;No budget</source>
+        <translation>&amp;Kein Spielraum</translation>
+    </message>
+    <message>
+        <source>Budget</source>
+        <translation>Spielraum</translation>
+    </message>
+    <message>
+        <source>&amp;Budget</source>
+        <translation>S&amp;pielraum</translation>
+    </message>
+    <message>
+        <source>Speed and accuracy &amp;chart</source>
+        <translation>&amp;Diagramm von Tempo und Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Shear-warp has no brute force to show</source>
+        <translation>Shear-Warp hat keine volle Rechnung zu zeigen</translation>
+    </message>
+    <message>
+        <source>Drawing brute force…</source>
+        <translation>Volle Rechnung wird gezeichnet…</translation>
+    </message>
+    <message>
+        <source>This is brute force; key B: the difference. The picture is</source>
+        <translation>Dies ist die volle Rechnung; Taste B: der Unterschied. Das Bild ist</translation>
+    </message>
+    <message>
+        <source>Difference ×%1, brightest %2/255; key B: the picture. The picture is</source>
+        <translation>Unterschied ×%1, hellster %2/255; Taste B: das Bild. Das Bild ist</translation>
+    </message>
+    <message>
+        <source>No difference in any pixel; key B: the picture. The picture is</source>
+        <translation>Kein Unterschied in irgendeinem Pixel; Taste B: das Bild. Das Bild ist</translation>
+    </message>
+    <message>
+        <source>Looking for the plan on this view…</source>
+        <translation>Der Plan für diese Ansicht wird gesucht…</translation>
+    </message>
+    <message>
+        <source>%1 · %2 ms a frame</source>
+        <translation>%1 · %2 ms je Bild</translation>
+    </message>
+    <message>
+        <source>No plan tried fits the budget; this is the fastest.</source>
+        <translation>Kein versuchter Plan passt in den Spielraum; dies ist der schnellste.</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Shear-warp has one way of drawing; choose another view mode.</source>
+        <translation>Shear-Warp hat nur eine Art zu zeichnen; eine andere Darstellungsart wählen.</translation>
+    </message>
+    <message>
+        <source>Measuring begins when the picture rests.</source>
+        <translation>Gemessen wird, sobald das Bild ruht.</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::AccuracyMonitor</name>
+    <message>
+        <source>Choosing a plan</source>
+        <translation>Plan wird gewählt</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::BudgetPanel</name>
+    <message>
+        <source>Fastest: a frame in 33 ms</source>
+        <translation>Am schnellsten: ein Bild in 33 ms</translation>
+    </message>
+    <message>
+        <source>A frame in 100 ms</source>
+        <translation>Ein Bild in 100 ms</translation>
+    </message>
+    <message>
+        <source>At most 32/255 off: the shape is right</source>
+        <translation>Höchstens 32/255 daneben: die Form stimmt</translation>
+    </message>
+    <message>
+        <source>At most 8/255 off: plain to see beside it</source>
+        <translation>Höchstens 8/255 daneben: im Vergleich zu sehen</translation>
+    </message>
+    <message>
+        <source>At most 2/255 off: hardly to be seen</source>
+        <translation>Höchstens 2/255 daneben: kaum zu sehen</translation>
+    </message>
+    <message>
+        <source>At most 0.5/255 off: the same on a screen</source>
+        <translation>Höchstens 0,5/255 daneben: auf dem Schirm dasselbe</translation>
+    </message>
+    <message>
+        <source>Exact: equal to brute force</source>
+        <translation>Exakt: gleich der vollen Rechnung</translation>
+    </message>
+    <message>
+        <source>&amp;Within a budget</source>
+        <translation>I&amp;n einem Spielraum</translation>
+    </message>
+    <message>
+        <source>Budget from fastest to exact</source>
+        <translation>Spielraum von am schnellsten bis exakt</translation>
+    </message>
+    <message>
+        <source>The plan that draws the full picture is chosen by measuring this very view: the fastest one within the error, or the most exact one within the time.</source>
+        <translation>Der Plan, der das volle Bild zeichnet, wird durch Messen eben dieser Ansicht gewählt: der schnellste innerhalb des Fehlers oder der genaueste innerhalb der Zeit.</translation>
+    </message>
+    <message>
+        <source>Draw within a budget</source>
+        <translation>In einem Spielraum zeichnen</translation>
+    </message>
+    <message>
+        <source>Off: the usual plan of the view mode, at the quality above</source>
+        <translation>Aus: der übliche Plan der Darstellungsart, in der Güte darüber</translation>
+    </message>
+    <message>
+        <source>fastest</source>
+        <translation>am schnellsten</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>Plan in use</source>
+        <translation>Benutzter Plan</translation>
+    </message>
+    <message>
+        <source>Budget</source>
+        <translation>Spielraum</translation>
+    </message>
+    <message>
+        <source>A plan chosen by hand</source>
+        <translation>Ein von Hand gewählter Plan</translation>
+    </message>
+    <message>
+        <source>No budget: the usual plan</source>
+        <translation>Kein Spielraum: der übliche Plan</translation>
+    </message>
+    <message>
+        <source>At most %1/255 off</source>
+        <translation>Höchstens %1/255 daneben</translation>
+    </message>
+    <message>
+        <source>A frame in %1 ms</source>
+        <translation>Ein Bild in %1 ms</translation>
+    </message>
+</context>
+<context>
     <name>lacuna::ui::CommandPalette</name>
     <message>
         <source>Find a command</source>
@@ -750,6 +935,85 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::ErrorBadge</name>
+    <message>
+        <source>early termination</source>
+        <translation>früher Abbruch</translation>
+    </message>
+    <message>
+        <source>another step</source>
+        <translation>anderer Schritt</translation>
+    </message>
+    <message>
+        <source>nearest voxels</source>
+        <translation>nächste Voxel</translation>
+    </message>
+    <message>
+        <source>sparse casting</source>
+        <translation>dünne Abtastung</translation>
+    </message>
+    <message>
+        <source>thresholds of homogeneity</source>
+        <translation>Schwellen der Homogenität</translation>
+    </message>
+    <message>
+        <source>quantised leaps</source>
+        <translation>gerundete Sprünge</translation>
+    </message>
+    <message>
+        <source>stored gradients</source>
+        <translation>gespeicherte Gradienten</translation>
+    </message>
+    <message>
+        <source>another gradient</source>
+        <translation>anderer Gradient</translation>
+    </message>
+    <message>
+        <source>another refinement</source>
+        <translation>andere Verfeinerung</translation>
+    </message>
+    <message>
+        <source>integrated segments</source>
+        <translation>integrierte Abschnitte</translation>
+    </message>
+    <message>
+        <source>shear-warp has no brute force</source>
+        <translation>Shear-Warp hat keine volle Rechnung</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>keine Zahl</translation>
+    </message>
+    <message>
+        <source>exact: same samples as brute force</source>
+        <translation>exakt: dieselben Abtastpunkte wie die volle Rechnung</translation>
+    </message>
+    <message>
+        <source>at most %1/255, by early termination&apos;s bound</source>
+        <translation>höchstens %1/255, durch die Schranke des frühen Abbruchs</translation>
+    </message>
+    <message>
+        <source>measured %1/255 on this view</source>
+        <translation>gemessen %1/255 in dieser Ansicht</translation>
+    </message>
+    <message>
+        <source>error unknown: %1</source>
+        <translation>Fehler unbekannt: %1</translation>
+    </message>
+    <message>
+        <source>Error of the 3D picture</source>
+        <translation>Fehler des 3D-Bilds</translation>
+    </message>
+    <message>
+        <source>coarse while moving</source>
+        <translation>grob in Bewegung</translation>
+    </message>
+    <message>
+        <source>measuring: %1</source>
+        <translation>wird gemessen: %1</translation>
     </message>
 </context>
 <context>
@@ -2417,6 +2681,77 @@
     <message>
         <source>Window and level</source>
         <translation>Fensterung</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::SpeedPanel</name>
+    <message>
+        <source>&amp;All plans</source>
+        <translation>&amp;Alle Pläne</translation>
+    </message>
+    <message>
+        <source>Progress of measuring</source>
+        <translation>Fortschritt des Messens</translation>
+    </message>
+    <message>
+        <source>Every structure with every step, sampler, termination and sparse casting, instead of one example each; takes its time</source>
+        <translation>Jede Struktur mit jedem Schritt, Abtaster, Abbruch und jeder dünnen Abtastung, statt je einem Beispiel; braucht seine Zeit</translation>
+    </message>
+    <message>
+        <source>Time of a frame against its error</source>
+        <translation>Zeit eines Bilds gegen seinen Fehler</translation>
+    </message>
+    <message>
+        <source>The list beside it has the same plans.</source>
+        <translation>Die Liste daneben hat dieselben Pläne.</translation>
+    </message>
+    <message>
+        <source>Plans measured</source>
+        <translation>Gemessene Pläne</translation>
+    </message>
+    <message>
+        <source>Enter or a double click uses a plan</source>
+        <translation>Eingabe oder ein Doppelklick benutzt einen Plan</translation>
+    </message>
+    <message>
+        <source>Plan</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>Error /255</source>
+        <translation>Fehler /255</translation>
+    </message>
+    <message>
+        <source>Build ms</source>
+        <translation>Aufbau ms</translation>
+    </message>
+    <message>
+        <source>MiB</source>
+        <translation>MiB</translation>
+    </message>
+    <message>
+        <source>in use</source>
+        <translation>in Gebrauch</translation>
+    </message>
+    <message>
+        <source>Plans measured: %1 of %2; measuring goes on while nothing else runs</source>
+        <translation>Gemessene Pläne: %1 von %2; gemessen wird, solange nichts anderes läuft</translation>
+    </message>
+    <message>
+        <source>Plans measured: %1, in %2 of %3 rounds</source>
+        <translation>Gemessene Pläne: %1, in %2 von %3 Durchgängen</translation>
+    </message>
+    <message>
+        <source>%1 (in use)</source>
+        <translation>%1 (in Gebrauch)</translation>
+    </message>
+    <message>
+        <source>No other plan is both faster and more exact</source>
+        <translation>Kein anderer Plan ist zugleich schneller und genauer</translation>
     </message>
 </context>
 <context>
