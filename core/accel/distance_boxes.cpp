@@ -198,24 +198,38 @@ private:
 
 }  // namespace
 
-VoxelBuffer box_field(const RegionGrid& grid, const JobContext& job, Extend extend) {
+void fill_boxes(const RegionGrid& grid, OctantSet octants, std::uint16_t* field, const JobContext& job, Extend extend) {
     const std::size_t cells = grid.region.size();
-    VoxelBuffer made(8 * cells * sizeof(std::uint16_t));
-    auto* field = reinterpret_cast<std::uint16_t*>(made.data());
     const int slabs = (grid.size.z + k_slab - 1) / k_slab;
+    const std::vector<int> wanted = octants_of(octants);
     const JobContext poll{job.stop, nullptr};
+    const auto write_slab = [&](int octant, const std::uint8_t* cubes, std::int64_t slab) {
+        poll.check();
+        OctantSlab(grid, octant, cubes, extend, int(slab) * k_slab).write(field + std::size_t(octant) * cells);
+    };
+    if (int(wanted.size()) < thread_count()) {  // the slabs of one keep the threads busy
+        std::vector<std::uint8_t> cubes(cells);
+        for (const int octant : wanted) {
+            sweep_octant(grid, octant, cubes.data(), poll);
+            parallel_for(
+                0, slabs, [&](std::int64_t slab) { write_slab(octant, cubes.data(), slab); }, poll);
+        }
+        return;
+    }
     parallel_for(
-        0, 8,
-        [&](std::int64_t octant) {
+        0, std::int64_t(wanted.size()),
+        [&](std::int64_t i) {
+            const int octant = wanted[std::size_t(i)];
             std::vector<std::uint8_t> cubes(cells);
-            sweep_octant(grid, int(octant), cubes.data(), poll);
-            for (int slab = 0; slab < slabs; ++slab) {
-                poll.check();
-                OctantSlab(grid, int(octant), cubes.data(), extend, slab * k_slab)
-                    .write(field + std::size_t(octant) * cells);
-            }
+            sweep_octant(grid, octant, cubes.data(), poll);
+            for (int slab = 0; slab < slabs; ++slab) write_slab(octant, cubes.data(), slab);
         },
         job);
+}
+
+VoxelBuffer box_field(const RegionGrid& grid, const JobContext& job, Extend extend) {
+    VoxelBuffer made(8 * grid.region.size() * sizeof(std::uint16_t));
+    fill_boxes(grid, k_all_octants, reinterpret_cast<std::uint16_t*>(made.data()), job, extend);
     return made;
 }
 

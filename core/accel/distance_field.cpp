@@ -180,14 +180,29 @@ VoxelBuffer chessboard_field(const RegionGrid& grid, const JobContext& job) {
     return made;
 }
 
-VoxelBuffer octant_field(const RegionGrid& grid, const JobContext& job) {
+std::vector<int> octants_of(OctantSet set) {
+    std::vector<int> members;
+    for (int octant = 0; octant < 8; ++octant)
+        if (set >> octant & 1) members.push_back(octant);
+    return members;
+}
+
+void fill_cubes(const RegionGrid& grid, OctantSet octants, std::uint8_t* field, const JobContext& job) {
     const std::size_t cells = grid.region.size();
-    VoxelBuffer made(8 * cells);
-    auto* field = reinterpret_cast<std::uint8_t*>(made.data());
+    const std::vector<int> wanted = octants_of(octants);
     const JobContext poll{job.stop, nullptr};
     parallel_for(
-        0, 8, [&](std::int64_t octant) { sweep_octant(grid, int(octant), field + std::size_t(octant) * cells, poll); },
+        0, std::int64_t(wanted.size()),
+        [&](std::int64_t i) {
+            const int octant = wanted[std::size_t(i)];
+            sweep_octant(grid, octant, field + std::size_t(octant) * cells, poll);
+        },
         job);
+}
+
+VoxelBuffer octant_field(const RegionGrid& grid, const JobContext& job) {
+    VoxelBuffer made(8 * grid.region.size());
+    fill_cubes(grid, k_all_octants, reinterpret_cast<std::uint8_t*>(made.data()), job);
     return made;
 }
 

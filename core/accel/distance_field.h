@@ -23,6 +23,11 @@ struct RegionGrid {
 inline constexpr int k_cube_limit = 127;  ///< of pc and acd: 7 bits
 inline constexpr int k_box_limit = 31;    ///< of eacd: 5 bits an axis
 
+/// Octants as bits: octant o belongs to the set where bit o is 1.
+using OctantSet = unsigned;
+inline constexpr OctantSet k_all_octants = 0xff;
+std::vector<int> octants_of(OctantSet set);
+
 /// PC: the chessboard distance to the nearest cell of another region, one byte a cell: all cells nearer than d along
 /// every axis, both ways, are of the region. Two sweeps over 3x3x3 masks, O(n), exact.
 VoxelBuffer chessboard_field(const RegionGrid& grid, const JobContext& job = {});
@@ -31,6 +36,10 @@ VoxelBuffer chessboard_field(const RegionGrid& grid, const JobContext& job = {})
 /// and octant, octant by octant; bit a of the octant's number is set where it looks towards smaller coordinates
 /// along axis a. Eight sweeps over 2x2x2 masks, O(n), exact; octants in parallel.
 VoxelBuffer octant_field(const RegionGrid& grid, const JobContext& job = {});
+
+/// Makes the entries of some octants of such a field anew and leaves the others: the rays of one view run into one to
+/// four octants. @param field  8 entries a cell
+void fill_cubes(const RegionGrid& grid, OctantSet octants, std::uint8_t* field, const JobContext& job = {});
 
 /// Which kinds of region get boxes beyond their cubes.
 enum class Extend { both, first_only };
@@ -41,5 +50,9 @@ enum class Extend { both, first_only };
 /// power-of-two windows: O(n), at most about 70 bytes a cell of at most 64 slices and one a cell, a thread, for as long
 /// as it takes.
 VoxelBuffer box_field(const RegionGrid& grid, const JobContext& job = {}, Extend extend = Extend::both);
+
+/// fill_cubes() for this field.
+void fill_boxes(const RegionGrid& grid, OctantSet octants, std::uint16_t* field, const JobContext& job = {},
+                Extend extend = Extend::both);
 
 }  // namespace lacuna

@@ -114,4 +114,25 @@ std::vector<std::uint8_t> classify_macrocells(const MacrocellGrid& grid, const V
     return classes;
 }
 
+std::vector<std::uint8_t> classify_macrocells(const MacrocellGrid& grid, double iso, double slack) {
+    using Answer = VisibilityTable::Answer;
+    // Rounded outwards: a range that may reach the isovalue does.
+    const float none_below = std::nextafter(float(iso - slack), -k_infinity);
+    const float all_from = std::nextafter(float(iso + slack), k_infinity);
+    std::vector<std::uint8_t> classes(grid.ranges.size());
+    parallel_bands(0, std::int64_t(classes.size()), thread_count(), [&](std::int64_t first, std::int64_t last) {
+        const glm::vec2* range = grid.ranges.data();
+        std::uint8_t* out = classes.data();
+        for (std::int64_t i = first; i < last; ++i) {
+            const bool none = range[i].y < none_below, all = range[i].x >= all_from && range[i].x <= range[i].y;
+            out[i] = std::uint8_t(all ? Answer::all : none ? Answer::none : Answer::some);
+        }
+        if (grid.has_nan.empty()) return;
+        for (std::int64_t i = first; i < last; ++i)
+            if (out[i] == std::uint8_t(Answer::all) && grid.has_nan[std::size_t(i)])
+                out[i] = std::uint8_t(Answer::some);
+    });
+    return classes;
+}
+
 }  // namespace lacuna

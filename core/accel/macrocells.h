@@ -14,10 +14,11 @@ namespace lacuna {
 /// taken over the voxels c*B .. c*B+B (both included, clamped to the grid): every voxel that nearest or trilinear
 /// reconstruction at such a position can touch. Depends on the voxels only.
 struct MacrocellGrid {
-    int shift = 3;                      ///< log2 B
-    glm::ivec3 cells{0};                ///< cells an axis; enough for positions 0 .. n-1
-    std::vector<glm::vec2> ranges;      ///< smallest and largest finite value a cell; (inf, -inf) where there is none
-    std::vector<std::uint8_t> has_nan;  ///< f32 volumes only, else empty: 1 where a NaN or infinite voxel lies in the cell
+    int shift = 3;                  ///< log2 B
+    glm::ivec3 cells{0};            ///< cells an axis; enough for positions 0 .. n-1
+    std::vector<glm::vec2> ranges;  ///< smallest and largest finite value a cell; (inf, -inf) where there is none
+    std::vector<std::uint8_t>
+        has_nan;  ///< f32 volumes only, else empty: 1 where a NaN or infinite voxel lies in the cell
 
     std::size_t bytes() const { return ranges.size() * sizeof(glm::vec2) + has_nan.size(); }
 };
@@ -29,5 +30,8 @@ MacrocellGrid build_macrocells(const Volume& volume, int shift = 3, const JobCon
 /// One byte a cell: VisibilityTable::Answer for its range widened by `slack` on both sides (how far a renderer's own
 /// value tables may round). A cell with NaN voxels is never `all`: NaN samples count as outside.
 std::vector<std::uint8_t> classify_macrocells(const MacrocellGrid& grid, const VisibilityTable& table, double slack);
+
+/// The same where a value counts as visible from `iso` on: two comparisons a cell instead of a table's look-ups.
+std::vector<std::uint8_t> classify_macrocells(const MacrocellGrid& grid, double iso, double slack);
 
 }  // namespace lacuna

@@ -21,6 +21,11 @@ const MacrocellGrid& SharedCells::grid(const Volume& volume, int shift, const Jo
     return grids_[std::size_t(shift)];
 }
 
+ValueRange SharedCells::values(const Volume& volume, int shift, const JobContext& job) {
+    if (!values_) values_ = value_range(grid(volume, shift, job));  // the same for cells of every size
+    return *values_;
+}
+
 std::size_t SharedCells::bytes() const {
     std::size_t sum = 0;
     for (const MacrocellGrid& g : grids_) sum += g.bytes();

@@ -43,12 +43,15 @@ class SharedCells {
 public:
     /// The grid with cells of 2^shift voxels. Cost: one pass over the voxels the first time.
     const MacrocellGrid& grid(const Volume& volume, int shift, const JobContext& job);
+    /// The smallest and largest value of all its cells, found once.
+    ValueRange values(const Volume& volume, int shift, const JobContext& job);
     bool holds(int shift) const { return shift < int(grids_.size()) && !grids_[std::size_t(shift)].ranges.empty(); }
-    void drop() { grids_.clear(); }
+    void drop() { *this = {}; }
     std::size_t bytes() const;
 
 private:
     std::vector<MacrocellGrid> grids_;  // by shift
+    std::optional<ValueRange> values_;
 };
 
 /// Everything a family needs to make its structure for one frame.

@@ -21,6 +21,7 @@ typedef struct {
 } Idle;
 #define IS_IDLE(state, cell_class, structure, cell) MASK((cell_class) == (VI)(CELL_NONE))
 #include "include/skip.clh"
+#include "include/span.clh"
 
 #if LACUNA_GRADIENT_OPACITY
 #define GRADIENT_ARGS , global const float* restrict gradient_factor SHAPE_ARGS
@@ -101,6 +102,13 @@ kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams
                        GRADIENT_ARGS CLASS_ARGS GRADIENT_FIELD_ARGS ADAPTIVE_ARGS STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
     const int x0 = PIXEL_X0, y0 = PIXEL_Y0;
     if (x0 >= p->out_stride || y0 >= p->height) return;
+    SPAN_STATE(p, x0, y0);
+    if (MEETS_NOTHING) {
+        const VF none = (VF)(0.0f);
+        const VF3 black = {none, none, none};
+        store_packet(p, out_color, out_depth, x0, y0, black, none, (VF)(INFINITY));
+        return;
+    }
     Rays r = CAST_RAYS(p, x0, y0);
     CARRY(if (!meets_brick(&r)) return;)
     const VF zero = (VF)(0.0f), one = (VF)(1.0f), floor_t = (VF)(p->min_transmittance);
@@ -135,6 +143,9 @@ kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams
     }
 
     const Idle idle = {0};
+    COUNT(const VI first_of_all = r.first;)
+    NARROW(p, &r);
+    COUNT(skipped += sum_lanes((r.first - first_of_all) & MASK(r.first > first_of_all));)
     int k = min_lane(MASK(r.end > r.first) ? r.first : (VI)(0x7fffffff));
     const int end = max_lane(r.end);
     while (k < end) {
@@ -191,6 +202,7 @@ kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams
             if (!any_lane(MASK(r.end > (VI)(k)) & MASK(clear >= floor_t) & MASK(clear > zero))) break;
         }
     }
+    COUNT(skipped += LEFT_OFF(MASK(clear >= floor_t) & MASK(clear > zero));)
 #if LACUNA_CARRY
     carry_begin(slot);
     STORE_PLANE(slot, 1, c.x);

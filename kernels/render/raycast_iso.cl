@@ -23,6 +23,7 @@ typedef struct {
     MASK((cell_class) == ((state)->inside ? (VI)(CELL_ALL) : (VI)(CELL_NONE)))
 #endif
 #include "include/skip.clh"
+#include "include/span.clh"
 
 INLINE VF measure_at(global const voxel_t* volume, constant RayParams* p, const Rays* r, VF k) {
     return iso_measure(p, sample_volume(volume, p, ray_at(r, k)));
@@ -74,6 +75,13 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
                         CLASS_ARGS GRADIENT_FIELD_ARGS ADAPTIVE_ARGS STRUCTURE_ARGS COUNTER_ARGS CARRY_ARGS LAUNCH_ARGS) {
     const int x0 = PIXEL_X0, y0 = PIXEL_Y0;
     if (x0 >= p->out_stride || y0 >= p->height) return;
+    SPAN_STATE(p, x0, y0);
+    if (MEETS_NOTHING) {
+        const VF none = (VF)(0.0f);
+        const VF3 black = {none, none, none};
+        store_packet(p, out_color, out_depth, x0, y0, black, none, (VF)(INFINITY));
+        return;
+    }
     Rays r = CAST_RAYS(p, x0, y0);
     CARRY(if (!meets_brick(&r)) return;)
     const VF zero = (VF)(0.0f);
@@ -101,6 +109,9 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
     }
 #endif
     VI hit_at = (VI)(-1);
+    COUNT(const VI first_of_all = r.first;)
+    NARROW(p, &r);
+    COUNT(skipped += sum_lanes((r.first - first_of_all) & MASK(r.first > first_of_all) & ~done);)
     int k = min_lane((MASK(r.end > r.first) & ~done) ? r.first : (VI)(0x7fffffff));
     const int end = max_lane(done ? (VI)(0) : r.end);
     while (k < end) {
@@ -123,6 +134,7 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
         }
     }
 
+    COUNT(skipped += LEFT_OFF(~done & r.hits_box);)
     VI surface_hit = MASK(hit_at >= (VI)(0)), any_hit = surface_hit | face_hit;
     VF at = r.enter;
     VF3 c = {zero, zero, zero};

@@ -1,6 +1,7 @@
 // The distance structures pc, acd and eacd against brute force on the same device.
 #include <gtest/gtest.h>
 
+#include "core/volume/samples.h"
 #include "tests/support/device_renderer.h"
 #include "tests/support/scenes.h"
 
@@ -118,6 +119,26 @@ TEST(VoxelDistances, ChangeNothingAtThresholdZero) {
             EXPECT_LE(test::share_over(frame, plain, 1.0), 0) << c.name << ' ' << name_of(structure);
         }
     }
+}
+
+TEST(MacrocellDistances, TurningMakesTheOctantsRaysRunInto) {
+    LACUNA_NEEDS_DEVICE();
+    OpenClRenderer one(test::device(), 16);  // keeps what earlier views made
+    for (const ViewMode mode : {ViewMode::iso, ViewMode::ea})
+        for (const Structure structure : {Structure::acd, Structure::eacd}) {
+            Scene scene = test::small_scene(make_sample("spheres", {.size = 64}).volume, mode, {96, 96});
+            bool built = true;
+            for (int view = 0; view < 8; ++view) {
+                scene.camera.azimuth_deg = 90.0 * view + 40;
+                scene.camera.elevation_deg = view < 4 ? 25 : -25;
+                const Frame plain = test::renderer(16).render(scene, plan_for(Structure::none, 8), {}, false).frame;
+                const RenderResult made = one.render(scene, plan_for(structure, 8), {}, false);
+                EXPECT_LE(test::share_over(made.frame, plain, 1.0), 0) << name_of(structure) << view;
+                built &= made.build.at(std::string(name_of(structure))).ms > 0;
+            }
+            EXPECT_TRUE(built);  // eight octants, eight views
+            EXPECT_EQ(one.render(scene, plan_for(structure, 8), {}, false).build.begin()->second.ms, 0);
+        }
 }
 
 /// A part of two plateaus that both show.

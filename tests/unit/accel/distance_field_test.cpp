@@ -140,6 +140,24 @@ TEST(DistanceField, BoxesLieInTheRegionAndHoldTheCube) {
     EXPECT_GT(grown, 1000);  // boxes, not cubes under another name
 }
 
+TEST(DistanceField, OctantsMadeOneByOneAreThoseOfAll) {
+    for (const RegionGrid& grid : ugly_grids()) {
+        const std::size_t cells = grid.region.size();
+        const VoxelBuffer cubes = octant_field(grid), boxes = box_field(grid);
+        std::vector<std::uint8_t> some(8 * cells, 99);
+        fill_cubes(grid, 1u << 3 | 1u << 6, some.data());
+        std::vector<std::uint16_t> large(8 * cells, 99);
+        fill_boxes(grid, 1u << 5, large.data());
+        const auto* cube = reinterpret_cast<const std::uint8_t*>(cubes.data());
+        const auto* box = reinterpret_cast<const std::uint16_t*>(boxes.data());
+        for (std::size_t octant = 0; octant < 8; ++octant)
+            for (std::size_t c = 0, i = octant * cells; c < cells; ++c, ++i) {
+                ASSERT_EQ(some[i], octant == 3 || octant == 6 ? cube[i] : 99);
+                ASSERT_EQ(large[i], octant == 5 ? box[i] : 99);
+            }
+    }
+}
+
 TEST(DistanceField, SaturatesAndNeverWraps) {
     // One border cell at the end of a long rod; the rest is one region.
     RegionGrid rod{{1, 2, 300}, std::vector<std::uint8_t>(600, 2)};
