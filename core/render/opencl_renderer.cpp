@@ -48,7 +48,7 @@ struct OpenClRenderer::Classes {
 
 /// Grows to the largest picture cast, so that the two passes of sparse casting share it without allocating anew.
 struct OpenClRenderer::Output {
-    std::size_t capacity = 0;  // pixels
+    std::size_t capacity = 0;  // pixels; 0: a frame's own memory, for that frame alone
     glm::ivec2 padded{0};      // of the picture cast last
     cl::Buffer color, depth, counters;
 };
@@ -221,9 +221,14 @@ void OpenClRenderer::hold_output(glm::ivec2 padded, bool count) {
                                                   scratch_buffer(*device_, pixels * sizeof(float)),
                                                   {}});
     output_->padded = padded;
+    hold_counters(pixels, count);
+}
+
+void OpenClRenderer::hold_counters(std::size_t pixels, bool count) {
     if (!count) return;
     const std::size_t item = sizeof(cl_uint8), lanes = std::size_t(lanes_);
-    if (!output_->counters()) output_->counters = scratch_buffer(*device_, output_->capacity / lanes * item);
+    if (!output_->counters())
+        output_->counters = scratch_buffer(*device_, std::max(output_->capacity, pixels) / lanes * item);
     // Packets beyond the picture write none.
     device_->queue().enqueueFillBuffer(output_->counters, cl_uint(0), 0, pixels / lanes * item);
 }
@@ -399,15 +404,45 @@ std::uint64_t OpenClRenderer::count_rays(const Cast& cast, const RayParams& para
     return rays;
 }
 
+/// The kernels write into the frame's own memory: nothing is left to be copied. The picture has no padding and the
+/// device is the host.
+Frame OpenClRenderer::cast_in_place(const Cast& cast, const RayParams& params) {
+    Frame frame;
+    frame.size = {params.width, params.height};
+    frame.color.resize(frame.pixels());
+    frame.depth_mm.resize(frame.pixels());
+    const auto shared = [&](auto& pixels) {
+        return cl::Buffer(device_->context(), CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR,
+                          pixels.size() * sizeof(pixels[0]), pixels.data());
+    };
+    output_ = std::make_unique<Output>(Output{0, frame.size, shared(frame.color), shared(frame.depth_mm), {}});
+    hold_counters(frame.pixels(), cast.count);
+    this->cast(cast, params, nullptr, 0);
+    for (const cl::Buffer& buffer : {output_->color, output_->depth}) {  // by which the pixels become the host's again
+        void* const mapped =
+            device_->queue().enqueueMapBuffer(buffer, CL_TRUE, CL_MAP_READ, 0, buffer.getInfo<CL_MEM_SIZE>());
+        device_->queue().enqueueUnmapMemObject(buffer, mapped);
+    }
+    device_->queue().finish();
+    return frame;
+}
+
 Frame OpenClRenderer::cast_picture(const Cast& cast, RayParams params, glm::ivec2 size) {
     const glm::ivec2 padded(round_up(size.x, k_group_pixels), round_up(size.y, k_group_pixels));
     params.width = size.x;
     params.height = size.y;
     params.out_stride = padded.x;
-    hold_output(padded, cast.count);
-    this->cast(cast, params, nullptr, 0);
-    Frame frame = read_frame(size);
+    Frame frame;
+    const bool in_place = size == padded && cast.plan.brick == 0 && cast.plan.sparse < 2 && device_->info().is_cpu;
+    if (!in_place) {
+        hold_output(padded, cast.count);
+        this->cast(cast, params, nullptr, 0);
+        frame = read_frame(size);
+    } else {
+        frame = cast_in_place(cast, params);
+    }
     if (cast.count) frame.counters = read_counters();
+    if (in_place) output_.reset();
     if (cast.count && cast.plan.brick > 0) frame.counters.rays = count_rays(cast, params, size);
     return frame;
 }

@@ -54,6 +54,8 @@ private:
     cl::Kernel& kernel(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool count, bool tiles);
     void hold_bricks(const Scene& scene, const Plan& plan);
     void hold_output(glm::ivec2 padded, bool count);
+    void hold_counters(std::size_t pixels, bool count);
+    Frame cast_in_place(const Cast& cast, const RayParams& params);
     Counters read_counters();
     void bind(cl::Kernel& kernel, const Cast& cast, const RayParams& params);
     void run_bands(cl::Kernel& kernel, const PixelRect& rect, const JobContext& job, int* height = nullptr);
