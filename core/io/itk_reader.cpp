@@ -192,8 +192,13 @@ std::optional<Volume> open_itk_volume(const fs::path& file, ItkFormat format) {
     return volume;
 }
 
-Volume read_itk_volume(const fs::path& file, ItkFormat format, const JobContext& job) {
+Volume read_itk_volume(const fs::path& file, ItkFormat format, const JobContext& job,
+                       const std::function<void(std::uint64_t)>& room) {
     OpenedImage image = open_image(file, format);
+    if (room) {
+        const auto type = own_type(image.io->GetComponentType());
+        room(std::uint64_t(image.geometry.voxel_count()) * (type ? size_of(*type) : 1));
+    }
     std::vector<Warning> warnings;
     repair_grid(file.string(), image.geometry, warnings);
     itk::ImageIORegion region(image.io->GetNumberOfDimensions());

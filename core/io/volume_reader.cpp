@@ -13,6 +13,8 @@
 #include "core/io/grid_repair.h"
 #include "core/io/header_check.h"
 #include "core/io/itk_reader.h"
+#include "core/io/open_limit.h"
+#include "core/io/raw_guess.h"
 #include "core/io/raw_reader.h"
 #include "core/io/text_fields.h"
 #include "core/io/tiff_reader.h"
@@ -25,6 +27,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view k_sample = "sample:";
+constexpr std::uint64_t k_any_size = ~std::uint64_t(0);
 
 bool is_sample(const std::string& input) { return input.starts_with(k_sample); }
 
@@ -84,24 +87,29 @@ bool same_file(const fs::path& a, const fs::path& b) {
 }
 
 /// Layout of a raw file without --raw: from a sidecar beside it that names it, else from its own name. A .mhd sidecar
-/// is handed back as a path instead.
+/// is handed back as a path instead. Nothing where neither says it.
 struct RawSource {
     std::optional<RawLayout> layout;
     fs::path meta_image;
 };
 
-RawSource raw_source(const fs::path& file) {
+std::optional<RawSource> described_raw(const fs::path& file) {
     std::error_code ec;
     const auto beside = [&](const char* ending) { return fs::path(file).replace_extension(ending); };
     if (fs::is_regular_file(beside(".mhd"), ec) && same_file(meta_image_data_file(beside(".mhd")), file))
-        return {std::nullopt, beside(".mhd")};
+        return RawSource{std::nullopt, beside(".mhd")};
     for (const fs::path& sidecar : {beside(".vgi"), fs::path(file.string() + ".vgi")})
         if (fs::is_regular_file(sidecar, ec))
-            if (const RawLayout layout = read_vgi(sidecar); same_file(layout.file, file)) return {layout, {}};
+            if (const RawLayout layout = read_vgi(sidecar); same_file(layout.file, file)) return RawSource{layout, {}};
     for (const fs::path& sidecar : {beside(".dat"), fs::path(file.string() + ".dat")})
         if (fs::is_regular_file(sidecar, ec) && !looks_like_dicom(sidecar))
-            if (const RawLayout layout = read_dat(sidecar); same_file(layout.file, file)) return {layout, {}};
-    if (auto named = raw_layout_of_name(file)) return {named, {}};
+            if (const RawLayout layout = read_dat(sidecar); same_file(layout.file, file)) return RawSource{layout, {}};
+    if (auto named = raw_layout_of_name(file)) return RawSource{named, {}};
+    return std::nullopt;
+}
+
+RawSource raw_source(const fs::path& file) {
+    if (auto found = described_raw(file)) return *found;
     throw Error(Errc::bad_input,
                 "Cannot read " + file.string() +
                     ": it is raw, and neither a sidecar (.dat, .vgi, .mhd) nor its name says its size; "
@@ -217,17 +225,34 @@ std::vector<SeriesEntry> dicom_in_folder(const fs::path& folder, const JobContex
     throw Error(Errc::bad_input, "Cannot read " + input + ": the folder holds no DICOM images and no TIFF slices.");
 }
 
+/// @throws Error(out_of_memory) naming both numbers
+void require_room(std::uint64_t bytes, std::uint64_t most_bytes) {
+    if (bytes <= most_bytes) return;
+    throw Error(Errc::out_of_memory, "The volume takes " + std::to_string((bytes + (1 << 20) - 1) >> 20) +
+                                         " MB of memory, but only " + std::to_string(most_bytes >> 20) +
+                                         " MB may be used.");
+}
+
+std::uint64_t voxels_in(const glm::ivec3& size) {
+    const glm::ivec3 n = glm::max(size, 0);
+    return std::uint64_t(n.x) * std::uint64_t(n.y) * std::uint64_t(n.z);
+}
+
 /// Everything but DICOM and samples.
-Volume open_plain(const fs::path& path, FileKind kind, const OpenOptions& options, const JobContext& job) {
+Volume open_plain(const fs::path& path, FileKind kind, const OpenOptions& options, std::uint64_t most_bytes,
+                  const JobContext& job) {
     if (kind == FileKind::tiff) {
         const auto files = tiff_files(path);
         if (files.empty()) refuse_folder(path.string());
+        if (most_bytes != k_any_size) require_room(voxels_in(tiff_size(files)), most_bytes);
         return read_tiff(files, job);
     }
+    const auto room = [&](std::uint64_t bytes) { require_room(bytes, most_bytes); };
     if (kind == FileKind::meta_image || kind == FileKind::nrrd || kind == FileKind::nifti)
-        return read_itk_volume(path, itk_format(kind), job);
+        return read_itk_volume(path, itk_format(kind), job, room);
     const RawSource source = raw_source(path, kind, options);
-    if (!source.layout) return read_itk_volume(source.meta_image, ItkFormat::meta_image, job);
+    if (!source.layout) return read_itk_volume(source.meta_image, ItkFormat::meta_image, job, room);
+    room(voxels_in(source.layout->geometry.size) * size_of(source.layout->type));
     return read_raw(*source.layout, job);
 }
 
@@ -292,6 +317,12 @@ std::string format_series(const std::vector<SeriesEntry>& entries) {
     return text;
 }
 
+bool needs_raw_layout(const fs::path& file) {
+    std::error_code ec;
+    if (kind_by_name(file) != FileKind::raw || !fs::is_regular_file(file, ec)) return false;
+    return kind_of(file, {}) == FileKind::raw && !described_raw(file);
+}
+
 std::vector<SeriesEntry> list_series(const std::string& input, const JobContext& job) {
     if (is_sample(input)) {
         const auto [name, options] = sample_call(input);
@@ -350,9 +381,15 @@ std::optional<AnalyticSample> open_sample(const std::string& input, const JobCon
 }
 
 Volume open_volume(const std::string& input, const OpenOptions& options, const JobContext& job) {
+    return open_volume_within(input, options, k_any_size, job);
+}
+
+Volume open_volume_within(const std::string& input, const OpenOptions& options, std::uint64_t most_bytes,
+                          const JobContext& job) {
     if (is_sample(input)) {
         const auto [name, sample] = sample_call(input);
         check_sample_options(input, options);
+        require_room(sample_in_parts(name, sample).total_bytes(), most_bytes);
         Volume volume = make_sample(name, sample, job).volume;
         if (volume.name.empty()) volume.name = input;
         return volume;
@@ -365,7 +402,9 @@ Volume open_volume(const std::string& input, const OpenOptions& options, const J
         const JobContext scan = job.part(0, 0.2);
         const auto found = folder ? dicom_in_folder(path, scan) : find_dicom_series(path, scan);
         if (!found.empty()) {
-            Volume volume = read_dicom_series(chosen_series(input, found, options.series), options, job.part(0.2, 1));
+            const SeriesEntry& chosen = chosen_series(input, found, options.series);
+            require_room(voxels_in(chosen.size), most_bytes);  // a voxel has a byte at least
+            Volume volume = read_dicom_series(chosen, options, job.part(0.2, 1));
             warn_of_nan(volume, {job.stop, nullptr});
             return options.spacing_mm ? with_spacing(volume, *options.spacing_mm, input) : volume;
         }
@@ -375,7 +414,7 @@ Volume open_volume(const std::string& input, const OpenOptions& options, const J
     if (!options.series.empty() && options.series != "1")
         throw Error(Errc::bad_usage,
                     "There is no series '" + options.series + "' in " + input + "; it holds one volume.");
-    Volume volume = open_plain(path, kind, options, job.part(folder ? 0.2 : 0, 0.95));
+    Volume volume = open_plain(path, kind, options, most_bytes, job.part(folder ? 0.2 : 0, 0.95));
     if (options.spacing_mm) volume = with_spacing(volume, *options.spacing_mm, input);
     volume.name = file_entry(path, {}, {}).description;
     warn_of_nan(volume, job.part(0.95, 1));
