@@ -1,0 +1,409 @@
+#include "core/io/dicom_anonymise.h"
+
+#include <dcmtk/config/osconfig.h>
+// DCMTK's configuration comes first
+#include <dcmtk/dcmdata/dctk.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <random>
+#include <set>
+
+#include "core/base/atomic_folder.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/io/dicom_header.h"
+#include "core/io/dicom_profile.h"
+#include "core/io/dicom_tags.h"
+#include "core/io/dicom_uid.h"
+
+namespace lacuna {
+
+namespace fs = std::filesystem;
+using dicom::ProfileAction;
+using dicom::text_of;
+
+namespace {
+
+constexpr std::string_view k_registered_uids = "1.2.840.10008.";  // the standard's own: classes, syntaxes, atlases
+
+/// One file to export and where it goes.
+struct Plan {
+    fs::path file;
+    std::string series;
+    int instance = 0;
+    fs::path target;  ///< below the export's folder
+};
+
+/// New names for old ones, the same for the same within an export.
+class Pseudonyms {
+public:
+    explicit Pseudonyms(std::string key) : key_(std::move(key)) {
+        if (!key_.empty()) return;
+        std::random_device random;
+        for (int i = 0; i < 8; ++i) key_ += std::to_string(random());
+    }
+    std::string uid(const std::string& old) const {
+        return old.starts_with(k_registered_uids) ? old : derived_uid(key_ + "\nuid\n" + old);
+    }
+    /// Twelve digits that follow from a patient's id and name.
+    std::string patient(const std::string& id_and_name) const {
+        const std::string digits = derived_uid(key_ + "\npatient\n" + id_and_name);
+        return digits.substr(digits.size() - 12);
+    }
+
+private:
+    std::string key_;
+};
+
+/// Objects of one frame, in which attributes of type 3 may go and those of type 2 be empty without making them invalid.
+bool is_classic(const std::string& sop_class) {
+    static const std::set<std::string> k_classic = {UID_CTImageStorage,
+                                                    UID_MRImageStorage,
+                                                    UID_PositronEmissionTomographyImageStorage,
+                                                    UID_ComputedRadiographyImageStorage,
+                                                    UID_SecondaryCaptureImageStorage,
+                                                    UID_NuclearMedicineImageStorage};
+    return k_classic.contains(sop_class);
+}
+
+/// The action with the choice by type taken.
+ProfileAction chosen(ProfileAction action, bool classic) {
+    switch (action) {
+        case ProfileAction::zero_dummy:
+        case ProfileAction::remove_zero_dummy:
+            return classic ? ProfileAction::zero : ProfileAction::dummy;
+        case ProfileAction::remove_zero:
+            return ProfileAction::zero;
+        case ProfileAction::remove_dummy:
+            return classic ? ProfileAction::remove : ProfileAction::dummy;
+        default:
+            return action;
+    }
+}
+
+const char* dummy_text(DcmEVR vr) {
+    switch (vr) {
+        case EVR_DA:
+            return "19000101";
+        case EVR_DT:
+            return "19000101000000";
+        case EVR_TM:
+            return "000000";
+        case EVR_AS:
+            return "000Y";
+        case EVR_IS:
+        case EVR_DS:
+            return "0";
+        case EVR_UR:
+            return "urn:anonymous";
+        default:
+            return "ANONYMOUS";
+    }
+}
+
+/// Works through one data set.
+class Anonymiser {
+public:
+    Anonymiser(const Pseudonyms& names, bool classic) : names_(names), classic_(classic) {}
+
+    void work_through(DcmItem& item) const {
+        for (unsigned long i = item.card(); i-- > 0;) {
+            DcmElement* element = item.getElement(i);
+            if (!work_on(*element)) delete item.remove(element);
+        }
+    }
+
+private:
+    /// False: the element is to go.
+    bool work_on(DcmElement& element) const {
+        const DcmTag& tag = element.getTag();
+        if (tag.getElement() == 0x0000) return false;  // lengths of groups
+        const DcmEVR vr = element.getVR();
+        const ProfileAction action = chosen(dicom::profile_action(tag.getGroup(), tag.getElement()), classic_);
+        if (action == ProfileAction::remove || vr == EVR_UN || is_unknown(tag)) return false;
+        switch (action) {
+            case ProfileAction::zero:
+                clear(element);
+                break;
+            case ProfileAction::dummy:
+                if (element.getLength() > 0) replace(element);
+                break;
+            case ProfileAction::uid:
+                rename(element);
+                break;
+            default:
+                keep(element);
+        }
+        return true;
+    }
+
+    static bool is_unknown(const DcmTag& tag) {
+        return DcmTag(tag.getXTag()).error().bad();  // looked up in the dictionary
+    }
+
+    static bool is_sequence(const DcmElement& element) {
+        return element.ident() == EVR_SQ && dynamic_cast<const DcmSequenceOfItems*>(&element);
+    }
+
+    void keep(DcmElement& element) const {
+        if (is_sequence(element)) {
+            auto& sequence = dynamic_cast<DcmSequenceOfItems&>(element);
+            for (unsigned long i = 0; i < sequence.card(); ++i) work_through(*sequence.getItem(i));
+            return;
+        }
+        const DcmEVR vr = element.getVR();
+        if (vr == EVR_PN || vr == EVR_DA || vr == EVR_DT) clear(element);
+    }
+
+    static void clear(DcmElement& element) { element.clear(); }
+
+    void replace(DcmElement& element) const {
+        if (is_sequence(element)) {
+            element.clear();
+            dynamic_cast<DcmSequenceOfItems&>(element).append(new DcmItem());
+            return;
+        }
+        switch (element.getVR()) {
+            case EVR_UI:
+                rename(element);
+                break;
+            case EVR_OB:
+            case EVR_OW: {
+                const Uint16 nothing = 0;
+                element.clear();
+                if (element.putUint16Array(&nothing, 1).bad())
+                    element.putUint8Array(reinterpret_cast<const Uint8*>(&nothing), 2);
+                break;
+            }
+            default:
+                if (element.putString(dummy_text(element.getVR())).bad()) clear(element);
+        }
+    }
+
+    void rename(DcmElement& element) const {
+        std::string joined;
+        const unsigned long count = element.getVM();
+        for (unsigned long i = 0; i < count; ++i) {
+            OFString old;
+            element.getOFString(old, i);
+            if (i > 0) joined += '\\';
+            if (!old.empty()) joined += names_.uid(std::string(old.c_str()));
+        }
+        if (element.putString(joined.c_str()).bad()) clear(element);
+    }
+
+    const Pseudonyms& names_;
+    bool classic_;
+};
+
+void state_what_was_done(DcmDataset& set, const std::string& software) {
+    set.putAndInsertString(DCM_PatientIdentityRemoved, "YES");
+    set.putAndInsertString(DCM_DeidentificationMethod,
+                           (software.substr(0, 20) + ": PS3.15 Annex E Basic Profile").c_str());
+    set.putAndInsertString(DCM_LongitudinalTemporalInformationModified, "REMOVED");
+    set.findAndDeleteElement(DCM_DeidentificationMethodCodeSequence);
+    DcmItem* code = nullptr;
+    if (set.findOrCreateSequenceItem(DCM_DeidentificationMethodCodeSequence, code, 0).bad()) return;
+    code->putAndInsertString(DCM_CodeValue, "113100");
+    code->putAndInsertString(DCM_CodingSchemeDesignator, "DCM");
+    code->putAndInsertString(DCM_CodeMeaning, "Basic Application Confidentiality Profile");
+}
+
+/// Kinds of images whose devices often draw names into the picture.
+bool often_has_text(DcmDataset& set) {
+    static const std::set<std::string> k_kinds = {"US", "OT", "XC", "ES", "GM", "RF",
+                                                  "XA", "CR", "DX", "MG", "SC", "IO"};
+    return k_kinds.contains(text_of(set, DCM_Modality)) || set.tagExists(DCM_ConversionType);
+}
+
+/// What one file adds to the report.
+struct Counted {
+    enum class What { exported, unreadable, burned_in } what = What::exported;
+    bool burned_in = false, burned_in_unsaid = false, face = false;
+    std::string study, patient;
+};
+
+Counted export_file(const Plan& plan, const fs::path& folder, const Pseudonyms& names,
+                    const AnonymiseOptions& options) {
+    Counted counted;
+    DcmFileFormat source;
+    if (source.loadFile(plan.file.c_str()).bad()) {
+        counted.what = Counted::What::unreadable;
+        return counted;
+    }
+    DcmDataset& set = *source.getDataset();
+    const std::string stated = text_of(set, DCM_BurnedInAnnotation);
+    counted.burned_in = stated == "YES";
+    counted.burned_in_unsaid = stated.empty() && often_has_text(set);
+    counted.face = text_of(set, DCM_RecognizableVisualFeatures) == "YES";
+    if (counted.burned_in && !options.keep_burned_in) {
+        counted.what = Counted::What::burned_in;
+        return counted;
+    }
+    const std::string patient = names.patient(text_of(set, DCM_PatientID) + "\n" + text_of(set, DCM_PatientName));
+    Anonymiser(names, is_classic(text_of(set, DCM_SOPClassUID))).work_through(set);
+    set.putAndInsertString(DCM_PatientName, ("Anonymous^" + patient).c_str());
+    set.putAndInsertString(DCM_PatientID, patient.c_str());
+    state_what_was_done(set, options.software);
+    counted.patient = patient;
+    counted.study = text_of(set, DCM_StudyInstanceUID);
+
+    const fs::path target = folder / plan.target;
+    const E_TransferSyntax syntax = set.getOriginalXfer();
+    // Of a new file: preamble and meta group hold nothing of the old one's.
+    DcmFileFormat made(&set, OFFalse);
+    const OFCondition saved =
+        made.saveFile(target.c_str(), syntax, EET_ExplicitLength, EGL_withoutGL, EPD_withoutPadding);
+    (void)made.getAndRemoveDataset();
+    std::error_code ec;
+    const std::uintmax_t bytes = fs::file_size(target, ec);
+    const bool deflated = syntax == EXS_DeflatedLittleEndianExplicit;
+    const std::uintmax_t expected = deflated ? 1 : set.calcElementLength(syntax, EET_ExplicitLength);
+    if (saved.good() && !ec && bytes >= expected) return counted;
+    if (saved == EC_InvalidStream || ec || saved.good())
+        throw Error(Errc::io, "Cannot write the anonymised images to " + folder.parent_path().string() +
+                                  ": the disk is full or the file size is limited; nothing was written.");
+    fs::remove(target, ec);
+    counted.what = Counted::What::unreadable;
+    return counted;
+}
+
+/// What there is to export, by series and instance number; counts the rest.
+std::vector<Plan> plan_export(const std::vector<fs::path>& files, AnonymiseReport& report, const JobContext& job) {
+    std::vector<dicom::HeaderResult> headers(files.size());
+    parallel_for(
+        0, std::int64_t(files.size()),
+        [&](std::int64_t i) {
+            try {
+                headers[std::size_t(i)] = dicom::read_header(files[std::size_t(i)]);
+            } catch (const Error& error) {
+                if (error.code() != Errc::io) throw;
+                headers[std::size_t(i)].what = dicom::FileClass::locked;
+            }
+            headers[std::size_t(i)].file.lut = nullptr;
+        },
+        job);
+    std::vector<Plan> plans;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        const dicom::HeaderResult& header = headers[i];
+        switch (header.what) {
+            case dicom::FileClass::image:
+                plans.push_back({files[i],
+                                 header.file.series_uid,
+                                 header.file.frames.empty() ? 0 : header.file.frames.front().instance.value_or(0),
+                                 {}});
+                break;
+            case dicom::FileClass::no_image:
+                ++report.not_images;
+                break;
+            case dicom::FileClass::unreadable:
+            case dicom::FileClass::locked:
+                ++report.unreadable;
+                break;
+            case dicom::FileClass::not_dicom:
+                break;
+        }
+    }
+    std::stable_sort(plans.begin(), plans.end(), [](const Plan& a, const Plan& b) {
+        return std::tie(a.series, a.instance) < std::tie(b.series, b.instance);
+    });
+    int series = 0, image = 0;
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        if (i == 0 || plans[i].series != plans[i - 1].series) ++series, image = 0;
+        plans[i].target = fs::path(fmt::format("SE{:03d}", series)) / fmt::format("IM{:05d}.dcm", ++image);
+    }
+    return plans;
+}
+
+std::string counted_text(int count, const char* one, const char* many) {
+    return count == 1 ? std::string("1 ") + one : fmt::format("{} {}", count, many);
+}
+
+}  // namespace
+
+std::vector<std::string> AnonymiseReport::notes() const {
+    std::vector<std::string> said;
+    if (not_images > 0)
+        said.push_back(
+            counted_text(not_images, "DICOM file without an image was", "DICOM files without an image were") +
+            " left out.");
+    if (unreadable > 0)
+        said.push_back(
+            counted_text(unreadable, "DICOM file that cannot be read was", "DICOM files that cannot be read were") +
+            " left out.");
+    if (burned_in > 0)
+        said.push_back(counted_text(burned_in, "image says", "images say") +
+                       " that patient data are drawn into the pixels (0028,0301); the pixels are not cleaned.");
+    if (burned_in_unsaid > 0)
+        said.push_back(
+            counted_text(burned_in_unsaid, "image does", "images do") +
+            " not say whether text is drawn into the pixels (0028,0301); look at them before passing them on.");
+    if (faces > 0)
+        said.push_back(counted_text(faces, "image says", "images say") + " that a face can be recognised (0028,0302).");
+    return said;
+}
+
+std::vector<fs::path> files_under(const fs::path& input, const JobContext& job) {
+    std::error_code ec;
+    if (fs::is_regular_file(input, ec)) return {input};
+    std::vector<fs::path> files;
+    constexpr auto k_skip = fs::directory_options::skip_permission_denied;
+    for (fs::recursive_directory_iterator at(input, k_skip, ec), end; !ec && at != end; at.increment(ec)) {
+        std::error_code of_file;
+        if (at->is_regular_file(of_file)) files.push_back(at->path());
+        job.check();
+    }
+    if (ec && files.empty()) throw Error(Errc::io, "Cannot read " + input.string() + ": " + ec.message() + ".");
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+AnonymiseReport anonymise_dicom(const std::vector<fs::path>& files, const fs::path& folder,
+                                const AnonymiseOptions& options, const JobContext& job) {
+    dicom::prepare_dcmtk();
+    AnonymiseReport report;
+    const fs::path target = folder.has_filename() ? folder : folder.parent_path();
+    AtomicFolder output(target);
+    const std::vector<Plan> plans = plan_export(files, report, job.part(0, 0.2));
+    if (plans.empty())
+        throw Error(Errc::bad_input, "There is no DICOM image to anonymise; name a DICOM folder or file.");
+    for (const Plan& plan : plans) fs::create_directory(output.path() / plan.target.parent_path());
+    const Pseudonyms names(options.key);
+    std::vector<Counted> counted(plans.size());
+    parallel_for(
+        0, std::int64_t(plans.size()),
+        [&](std::int64_t i) {
+            counted[std::size_t(i)] = export_file(plans[std::size_t(i)], output.path(), names, options);
+        },
+        job.part(0.2, 1));
+    std::set<std::string> series, studies, patients;
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        const Counted& c = counted[i];
+        report.burned_in += c.burned_in;
+        report.unreadable += c.what == Counted::What::unreadable;
+        if (c.what != Counted::What::exported) continue;
+        ++report.images;
+        report.burned_in_unsaid += c.burned_in_unsaid;
+        report.faces += c.face;
+        series.insert(plans[i].series);
+        studies.insert(c.study);
+        patients.insert(c.patient);
+    }
+    if (report.images == 0)
+        throw Error(Errc::bad_input,
+                    "None of the DICOM images can be exported: they cannot be read, or say that patient data are drawn "
+                    "into their pixels.");
+    report.series = int(series.size());
+    report.studies = int(studies.size());
+    report.patients = int(patients.size());
+    std::error_code ec;
+    for (const auto& entry : fs::directory_iterator(output.path(), ec))
+        fs::remove(entry.path(), ec);  // empty ones only
+    output.commit();
+    return report;
+}
+
+}  // namespace lacuna
