@@ -1,0 +1,78 @@
+#pragma once
+
+#include <dcmtk/config/osconfig.h>
+// DCMTK's configuration comes first
+#include <dcmtk/dcmnet/dcmlayer.h>
+#include <dcmtk/dcmnet/scu.h>
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+
+#include "core/base/job.h"
+#include "core/io/pacs.h"
+
+namespace lacuna::dicom {
+
+/// A second handle on the connection's socket: shutting it down wakes whatever waits on the first one.
+class SocketWatch {
+public:
+    ~SocketWatch();
+    void watch(int socket);
+    void shut_down();
+
+private:
+    std::mutex mutex_;
+    int copy_ = -1;
+    bool down_ = false;
+};
+
+/// One association with a server: opened by connect(), ended by close() or destruction. A stop of the job shuts the
+/// socket down, so that every call returns at once.
+class PacsConnection : public DcmSCU {
+public:
+    PacsConnection(const PacsServer& server, const JobContext& job);
+    ~PacsConnection() override;
+
+    /// Asks for these classes; the role is the peer's view of C-GET's sub-operations.
+    void propose(const OFString& sop_class, const OFList<OFString>& syntaxes, bool as_receiver = false);
+    /// @throws Error(io), Error(cancelled)
+    void connect();
+    void close();
+
+    /// The accepted context of a class; @throws Error(io) naming `service` if the server does not offer it
+    T_ASC_PresentationContextID accepted(const OFString& sop_class, const std::string& service);
+    /// @throws the error that a failed call means
+    void require(const OFCondition& condition);
+    /// @throws Error(io) for a response status other than success, naming `service`
+    void require_status(unsigned status, const std::string& service) const;
+
+    /// Called for every object that C-GET brings; false: it could not be kept.
+    std::function<bool(DcmDataset&)> on_object;
+    /// Called with remaining and finished sub-operations of C-GET.
+    std::function<void(int remaining, int done, int failed)> on_progress;
+    std::size_t most_responses = k_most_pacs_rows;
+    bool had_more = false;
+
+    OFCondition handleFINDResponse(const T_ASC_PresentationContextID id, QRResponse* response,
+                                   OFBool& wait_for_next) override;
+    OFCondition handleSTORERequest(const T_ASC_PresentationContextID id, DcmDataset* object, OFBool& go_on,
+                                   Uint16& status) override;
+    OFCondition handleCGETResponse(const T_ASC_PresentationContextID id, RetrieveResponse* response,
+                                   OFBool& go_on) override;
+
+private:
+    void probe() const;
+    void secure();
+    [[noreturn]] void fail(const OFCondition& condition) const;
+
+    const PacsServer server_;
+    const JobContext job_;
+    std::shared_ptr<SocketWatch> watch_;
+    std::unique_ptr<DcmTransportLayer> layer_;
+    std::size_t responses_ = 0;
+    std::unique_ptr<std::stop_callback<std::function<void()>>> on_stop_;
+};
+
+}  // namespace lacuna::dicom
