@@ -27,6 +27,8 @@ public Q_SLOTS:
     void adopt(const lacuna::Document& document, const lacuna::EditHistory& history);
     /// Replaces the settings as a step of undo; edits of one name in quick succession are one step.
     void edit(const QString& name, const lacuna::ViewSettings& next);
+    /// What is edited next is a step of its own, whatever its name.
+    void endGesture() { history_.seal(); }
     void undo();
     void redo();
     /// Shows the document as a session left it. No step of undo: there is nothing before it.

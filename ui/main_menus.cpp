@@ -146,7 +146,10 @@ void MainWindow::buildGoMenu() {
     bench_->add(go, tr("&Coronal slice"), key(3), this, view(views_->slice(SliceKind::coronal)));
     bench_->add(go, tr("&Sagittal slice"), key(4), this, view(views_->slice(SliceKind::sagittal)));
     bench_->add(go, tr("View &mode"), key(5), this, [this] { focusPanel(scene_dock_, render_panel_->modeBox()); });
-    bench_->add(go, tr("C&olours"), key(6), this, [this] { focusTab(0, transfer_panel_->plot()); });
+    bench_->add(go, tr("C&olours"), key(6), this, [this] {
+        transfer_panel_->showPage(TransferPanel::k_values);
+        focusTab(0, transfer_panel_->plot());
+    });
     bench_->add(go, tr("&Ranges"), key(7), this, [this] { focusTab(1, ranges_panel_->addButton()); });
     bench_->add(go, tr("C&uts"), key(8), this, [this] { focusTab(2, cuts_panel_->addButton()); });
     bench_->add(go, tr("&Grey levels"), key(9), this, [this] { focusTab(3, slices_panel_->presetBox()); });

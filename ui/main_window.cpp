@@ -8,6 +8,8 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "ui/features/colours_feature.h"
+#include "ui/features/presets_feature.h"
 #include "ui/preferences.h"
 #include "ui/series_dialog.h"
 
@@ -84,6 +86,8 @@ void MainWindow::buildDocks() {
 
 /// One line a feature; the order is that of their entries in the menus.
 void MainWindow::buildFeatures() {
+    new ColoursFeature(*bench_, transfer_panel_, ranges_panel_, tabs_);
+    new PresetsFeature(*bench_);
     regions_ = new RegionsFeature(*bench_);
     inspection_ = new InspectionFeature(*bench_);
     session_ = new SessionFeature(*bench_, *inspection_);
@@ -195,14 +199,6 @@ void MainWindow::connectPanels() {
         apply(next);
         documents_->edit(name, next);
     };
-    connect(transfer_panel_, &TransferPanel::edited, this,
-            [change](const QString& name, const TransferFunction& function) {
-                change(name, [&](ViewSettings& settings) { settings.tf = function; });
-            });
-    connect(ranges_panel_, &RangesPanel::edited, this,
-            [change](const QString& name, const std::vector<RangeSetting>& ranges) {
-                change(name, [&](ViewSettings& settings) { settings.ranges = ranges; });
-            });
     connect(cuts_panel_, &CutsPanel::edited, this, [change](const QString& name, const std::vector<CutSetting>& cuts) {
         change(name, [&](ViewSettings& settings) { settings.cuts = cuts; });
     });
@@ -210,8 +206,6 @@ void MainWindow::connectPanels() {
             [change](const QString& name, const std::vector<Effect>& effects) {
                 change(name, [&](ViewSettings& settings) { settings.effects = effects; });
             });
-    connect(transfer_panel_, &TransferPanel::failed, messages_, &MessageBar::showError);
-    connect(ranges_panel_, &RangesPanel::failed, messages_, &MessageBar::showError);
 }
 
 void MainWindow::connectRendering() {
@@ -249,8 +243,6 @@ void MainWindow::showDocument() {
     views_->volumeView()->setHome(document.home);
     views_->volumeView()->setCamera(document.camera);
     render_panel_->setVolumeFacts(document.statistics->range, QString::fromStdString(document.volume.unit));
-    transfer_panel_->setVolume(document.volume, document.statistics);
-    ranges_panel_->setVolume(document.volume, document.statistics);
     cuts_panel_->setGeometry3d(document.volume.geometry());
     slices_panel_->setVolume(document.volume, document.statistics);
     stack_->setCurrentWidget(views_);
@@ -273,8 +265,6 @@ void MainWindow::showDocument() {
 void MainWindow::showSettings() {
     const ViewSettings& settings = documents_->document().settings;
     render_panel_->setSettings(settings);
-    transfer_panel_->setFunction(settings.tf);
-    ranges_panel_->setRanges(settings.ranges);
     cuts_panel_->setCuts(settings.cuts);
     slices_panel_->setSettings(settings);
     effects_panel_->setEffects(settings.effects, settings.mode);

@@ -1,92 +1,30 @@
 #include "ui/panels/ranges_panel.h"
 
-#include <QGridLayout>
+#include <QColorDialog>
 #include <QLabel>
 #include <QScrollArea>
-#include <QSignalBlocker>
+#include <array>
 
-#include "ui/tab_chain.h"
-#include "ui/widgets/value_slider.h"
+#include "ui/widgets/transfer_plot.h"
 
 namespace lacuna::ui {
 
-RangeRow::RangeRow(int number, ValueRange limits, QWidget* parent)
-    : QWidget(parent),
-      enabled_(new QCheckBox(tr("Range %1").arg(number), this)),
-      slider_(new RangeSlider(this)),
-      lo_(new QDoubleSpinBox(this)),
-      hi_(new QDoubleSpinBox(this)),
-      colors_(new QComboBox(this)),
-      remove_(new QPushButton(tr("Remove"), this)) {
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 4, 0, 8);
-    grid->addWidget(enabled_, 0, 0);
-    grid->addWidget(colors_, 0, 1);
-    grid->addWidget(remove_, 0, 2);
-    grid->addWidget(slider_, 1, 0, 1, 3);
-    auto* ends = new QHBoxLayout;
-    ends->addWidget(lo_, 1);
-    ends->addWidget(new QLabel(tr("to"), this));
-    ends->addWidget(hi_, 1);
-    grid->addLayout(ends, 2, 0, 1, 3);
-    grid->setColumnStretch(1, 1);
-    enabled_->setAccessibleName(tr("Range %1 in use").arg(number));
-    slider_->setAccessibleName(tr("Range %1").arg(number));
-    lo_->setAccessibleName(tr("Lower end of range %1").arg(number));
-    hi_->setAccessibleName(tr("Upper end of range %1").arg(number));
-    colors_->setAccessibleName(tr("Colours of range %1").arg(number));
-    remove_->setAccessibleName(tr("Remove range %1").arg(number));
-    const ValueSteps steps = ValueSteps::of(limits);
-    slider_->setLimits(limits);
-    slider_->setStep(steps.decimals == 0 ? std::max(1.0, std::round(limits.width() / 500)) : steps.step);
-    for (QDoubleSpinBox* end : {lo_, hi_}) {
-        end->setRange(limits.lo, limits.hi);
-        end->setDecimals(steps.decimals);
-        end->setSingleStep(steps.step);
-        end->setKeyboardTracking(false);
-        end->setCorrectionMode(QAbstractSpinBox::CorrectToNearestValue);
-    }
-    chain_tabs({enabled_, colors_, remove_, slider_, lo_, hi_});
-    connect(enabled_, &QCheckBox::toggled, this, [this](bool on) {
-        setting_.enabled = on;
-        Q_EMIT edited(setting_);
-    });
-    connect(slider_, &RangeSlider::rangeEdited, this, &RangeRow::editEnds);
-    connect(lo_, &QDoubleSpinBox::valueChanged, this, [this](double lo) {
-        editEnds({lo, std::max(lo, setting_.range.range.hi)});
-    });
-    connect(hi_, &QDoubleSpinBox::valueChanged, this, [this](double hi) {
-        editEnds({std::min(hi, setting_.range.range.lo), hi});
-    });
-    connect(colors_, &QComboBox::activated, this,
-            [this](int i) { Q_EMIT colorsChosen(i == 0 ? QString() : colors_->itemText(i)); });
-    connect(remove_, &QPushButton::clicked, this, &RangeRow::removeRequested);
-}
+namespace {
 
-void RangeRow::setColors(const QStringList& names) {
-    const QSignalBlocker quiet(colors_);
-    colors_->clear();
-    colors_->addItems(names);
-}
+/// Told apart also by most who see colours differently (after Okabe & Ito 2008).
+constexpr std::array<glm::dvec3, 8> k_palette{{{0.34, 0.71, 0.91},
+                                               {0.90, 0.62, 0.00},
+                                               {0.00, 0.62, 0.45},
+                                               {0.80, 0.47, 0.65},
+                                               {0.94, 0.89, 0.26},
+                                               {0.84, 0.37, 0.00},
+                                               {0.00, 0.45, 0.70},
+                                               {0.60, 0.60, 0.60}}};
 
-void RangeRow::setSetting(const RangeSetting& setting) {
-    setting_ = setting;
-    const QSignalBlocker quiet[] = {QSignalBlocker(enabled_), QSignalBlocker(lo_), QSignalBlocker(hi_)};
-    enabled_->setChecked(setting.enabled);
-    if (slider_->range() != setting.range.range) slider_->setRange(setting.range.range);
-    lo_->setValue(setting.range.range.lo);
-    hi_->setValue(setting.range.range.hi);
-    const int known = setting.range.tf ? colors_->findText(QString::fromStdString(setting.range.tf->name)) : 0;
-    colors_->setCurrentIndex(std::max(0, known));
-}
+}  // namespace
 
-void RangeRow::editEnds(ValueRange range) {
-    setting_.range.range = range;
-    setSetting(RangeSetting(setting_));
-    Q_EMIT edited(setting_);
-}
-
-RangesPanel::RangesPanel(QWidget* parent) : QWidget(parent), add_(new QPushButton(tr("Add a range"), this)) {
+RangesPanel::RangesPanel(QWidget* parent)
+    : QWidget(parent), add_(new QPushButton(tr("Add a range"), this)), count_job_(this) {
     auto* column = new QVBoxLayout(this);
     auto* area = new QScrollArea(this);
     area->setFrameShape(QFrame::NoFrame);
@@ -95,8 +33,10 @@ RangesPanel::RangesPanel(QWidget* parent) : QWidget(parent), add_(new QPushButto
     auto* inside = new QWidget(area);
     list_ = new QVBoxLayout(inside);
     list_->setContentsMargins(0, 0, 4, 0);
-    auto* note =
-        new QLabel(tr("No range: every value is kept. With ranges, only values inside them are seen."), inside);
+    auto* note = new QLabel(
+        tr("No range: every value is kept. With ranges, only values inside them are seen; where they overlap, the "
+           "upper one counts."),
+        inside);
     note->setWordWrap(true);
     note->setEnabled(false);
     empty_note_ = note;
@@ -122,6 +62,7 @@ void RangesPanel::setRanges(const std::vector<RangeSetting>& ranges) {
     ranges_ = ranges;
     if (!same_rows) return rebuild();
     for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i]->setSetting(ranges_[i]);
+    count();
 }
 
 void RangesPanel::rebuild() {
@@ -130,11 +71,9 @@ void RangesPanel::rebuild() {
         row->deleteLater();  // it may be the sender
     }
     rows_.clear();
-    QStringList colors{tr("Scene's colours")};
-    for (const std::string& name : preset_names()) colors << QString::fromStdString(name);
     for (std::size_t i = 0; i < ranges_.size(); ++i) {
-        auto* row = new RangeRow(int(i + 1), statistics_->range, this);
-        row->setColors(colors);
+        auto* row = new RangeRow(int(i + 1), statistics_->range, QString::fromStdString(volume_.unit), this);
+        row->setUnitDistance(volume_.geometry().smallest_spacing_mm());
         row->setSetting(ranges_[i]);
         list_->insertWidget(int(i) + 1, row);
         rows_.push_back(row);
@@ -148,26 +87,67 @@ void RangesPanel::rebuild() {
     if (before) setTabOrder(before, add_);
     empty_note_->setVisible(ranges_.empty());
     add_->setEnabled(statistics_ && ranges_.size() < Classification::k_max_ranges);
+    counted_.clear();
+    count();
+}
+
+void RangesPanel::count() {
+    std::vector<ValueRange> wanted;
+    for (const RangeSetting& range : ranges_) wanted.push_back(range.range.range);
+    // What is not in use takes nothing from those below it.
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (!ranges_[i].enabled) wanted[i] = {1, 0};
+    std::vector<ValueRange> all = wanted;
+    for (const RangeSetting& range : ranges_) all.push_back(range.range.range);
+    if (all == counted_) return;
+    counted_ = all;
+    if (wanted.empty()) return count_job_.cancel();
+    for (RangeRow* row : rows_) row->setCount({});
+    count_job_.start(
+        [volume = volume_, statistics = statistics_, wanted, ranges = ranges_](const JobContext& job) {
+            std::vector<RangeCount> counts = count_ranges(volume, *statistics, wanted, job);
+            std::vector<ValueRange> unused;
+            for (const RangeSetting& range : ranges)
+                if (!range.enabled) unused.push_back(range.range.range);
+            if (unused.empty()) return counts;
+            const std::vector<RangeCount> of_unused = count_ranges(volume, *statistics, unused, job);
+            for (std::size_t i = 0, k = 0; i < ranges.size(); ++i) {
+                if (ranges[i].enabled) continue;
+                counts[i] = of_unused[k++];
+                counts[i].own = counts[i].voxels;
+            }
+            return counts;
+        },
+        [this](Outcome<std::vector<RangeCount>> outcome) {
+            if (const Error* error = std::get_if<Error>(&outcome)) {
+                counted_.clear();
+                Q_EMIT failed(QString::fromStdString(error->what()));
+                return;
+            }
+            const std::vector<RangeCount>& counts = std::get<0>(outcome);
+            for (std::size_t i = 0; i < rows_.size() && i < counts.size(); ++i) rows_[i]->setCount(counts[i]);
+            Q_EMIT counted();
+        });
+}
+
+void RangesPanel::change(std::size_t i, const QString& name, const RangeSetting& setting) {
+    std::vector<RangeSetting> next = ranges_;
+    next[i] = setting;
+    Q_EMIT edited(name, next);
 }
 
 void RangesPanel::connectRow(std::size_t i) {
     RangeRow* row = rows_[i];
-    connect(row, &RangeRow::edited, this, [this, i](const RangeSetting& setting) {
+    connect(row, &RangeRow::edited, this,
+            [this, i](const QString& what, const RangeSetting& setting) { change(i, what, setting); });
+    connect(row, &RangeRow::presetChosen, this, [this, i](const QString& preset) { usePreset(i, preset); });
+    connect(row, &RangeRow::ownColorsRequested, this, [this, i] { Q_EMIT ownColorsRequested(int(i)); });
+    connect(row, &RangeRow::colorRequested, this, [this, i] { pickColor(i); });
+    connect(row, &RangeRow::upRequested, this, [this, i] {
+        if (i == 0) return;
         std::vector<RangeSetting> next = ranges_;
-        next[i] = setting;
-        Q_EMIT edited(tr("Range %1").arg(i + 1), next);
-    });
-    connect(row, &RangeRow::colorsChosen, this, [this, i](const QString& preset) {
-        std::vector<RangeSetting> next = ranges_;
-        try {
-            if (preset.isEmpty())
-                next[i].range.tf.reset();
-            else
-                next[i].range.tf = make_preset(preset.toStdString(), volume_, *statistics_);
-            Q_EMIT edited(tr("Colours of range %1").arg(i + 1), next);
-        } catch (const Error& error) {
-            Q_EMIT failed(QString::fromStdString(error.what()));
-        }
+        std::swap(next[i - 1], next[i]);
+        Q_EMIT edited(tr("Order of the ranges"), next);
     });
     connect(row, &RangeRow::removeRequested, this, [this, i] {
         std::vector<RangeSetting> next = ranges_;
@@ -177,11 +157,41 @@ void RangesPanel::connectRow(std::size_t i) {
     });
 }
 
+void RangesPanel::usePreset(std::size_t i, const QString& preset) {
+    try {
+        RangeSetting next = ranges_[i];
+        next.range.tf = make_preset(preset.toStdString(), volume_, *statistics_);
+        change(i, tr("Colours of range %1").arg(i + 1), next);
+    } catch (const Error& error) {
+        Q_EMIT failed(QString::fromStdString(error.what()));
+    }
+}
+
+void RangesPanel::pickColor(std::size_t i) {
+    auto* dialog = new QColorDialog(to_qcolor(ranges_[i].color), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setOption(QColorDialog::DontUseNativeDialog);
+    dialog->setWindowTitle(tr("Colour of the range"));
+    connect(dialog, &QColorDialog::colorSelected, this, [this, i](const QColor& color) {
+        if (i < ranges_.size()) setColor(i, from_qcolor(color));
+    });
+    dialog->open();
+}
+
+void RangesPanel::setColor(std::size_t i, const glm::dvec3& color) {
+    RangeSetting next = ranges_[i];
+    next.color = color;
+    if (next.range.tf && next.range.tf->name == k_one_color_name)
+        next.range.tf = one_color_function(next, next.range.tf->unit_distance_mm);
+    change(i, tr("Colour of range %1").arg(i + 1), next);
+}
+
 void RangesPanel::addRange() {
     if (!statistics_ || ranges_.size() >= Classification::k_max_ranges) return;
     std::vector<RangeSetting> next = ranges_;
     RangeSetting added;
     added.range.name = tr("Range %1").arg(next.size() + 1).toStdString();
+    added.color = k_palette[next.size() % k_palette.size()];
     // The first is the object, the second what lies around it, further ones the middle of the values.
     const ValueRange values = statistics_->range;
     const double otsu = otsu_threshold(*statistics_);

@@ -1,46 +1,17 @@
 #pragma once
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <QWidget>
 #include <vector>
 
 #include "core/session/document.h"
-#include "ui/widgets/range_slider.h"
+#include "ui/latest_job.h"
+#include "ui/panels/range_row.h"
 
 namespace lacuna::ui {
 
-/// One segmentation range: on or off, its ends, its colours.
-class RangeRow final : public QWidget {
-    Q_OBJECT
-public:
-    RangeRow(int number, lacuna::ValueRange limits, QWidget* parent = nullptr);
-    void setSetting(const lacuna::RangeSetting& setting);
-    const lacuna::RangeSetting& setting() const { return setting_; }
-    RangeSlider* slider() const { return slider_; }
-    /// Told which transfer functions can be chosen; the first entry is the scene's.
-    void setColors(const QStringList& names);
-
-Q_SIGNALS:
-    void edited(const lacuna::RangeSetting& setting);
-    void colorsChosen(const QString& preset);  ///< empty: the scene's
-    void removeRequested();
-
-private:
-    void editEnds(ValueRange range);
-
-    RangeSetting setting_;
-    QCheckBox* enabled_;
-    RangeSlider* slider_;
-    QDoubleSpinBox *lo_, *hi_;
-    QComboBox* colors_;
-    QPushButton* remove_;
-};
-
-/// The list of segmentation ranges. With none, all values are kept.
+/// The list of segmentation ranges, with what each holds of the volume. With none, all values are kept.
 class RangesPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -55,19 +26,28 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void edited(const QString& name, const std::vector<lacuna::RangeSetting>& ranges);
+    void ownColorsRequested(int index);
+    void counted();  ///< the rows say what the ranges hold
     void failed(const QString& sentence);
 
 private:
     void rebuild();
     void connectRow(std::size_t i);
+    void count();
+    void pickColor(std::size_t i);
+    void setColor(std::size_t i, const glm::dvec3& color);
+    void usePreset(std::size_t i, const QString& preset);
+    void change(std::size_t i, const QString& name, const RangeSetting& setting);
 
     Volume volume_;
     std::shared_ptr<const VolumeStatistics> statistics_;
     std::vector<RangeSetting> ranges_;
     std::vector<RangeRow*> rows_;
+    std::vector<ValueRange> counted_;  ///< the ranges the counts shown are of
     QVBoxLayout* list_;
     QWidget* empty_note_;
     QPushButton* add_;
+    LatestJob<std::vector<RangeCount>> count_job_;
 };
 
 }  // namespace lacuna::ui

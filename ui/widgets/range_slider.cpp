@@ -33,6 +33,11 @@ void RangeSlider::setRange(ValueRange range) {
     update();
 }
 
+void RangeSlider::setColor(const QColor& color) {
+    color_ = color;
+    update();
+}
+
 void RangeSlider::describe() {
     setAccessibleDescription(tr("From %1 to %2; arrow keys move the %3 end")
                                  .arg(range_.lo)
@@ -61,7 +66,7 @@ void RangeSlider::paintEvent(QPaintEvent*) {
     painter.setBrush(c.base);
     painter.drawRoundedRect(QRectF(k_margin, y - 3, width() - 2 * k_margin, 6), 3, 3);
     painter.setPen(Qt::NoPen);
-    painter.setBrush(isEnabled() ? c.highlight : c.border);
+    painter.setBrush(!isEnabled() ? c.border : color_.isValid() ? color_ : c.highlight);
     painter.drawRoundedRect(QRectF(low.x(), y - 3, std::max(1.0, high.x() - low.x()), 6), 3, 3);
     for (const Part part : {k_low, k_high}) {
         const QPointF at = handlePosition(part);

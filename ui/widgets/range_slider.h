@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QColor>
 #include <QWidget>
 
 #include "core/volume/volume.h"
@@ -19,6 +20,8 @@ public:
     void setRange(lacuna::ValueRange range);
     /// The smallest movement by key; also what dragged values are rounded to.
     void setStep(double step) { step_ = step; }
+    /// The bar between the handles; an invalid colour is the theme's.
+    void setColor(const QColor& color);
     lacuna::ValueRange range() const { return range_; }
     lacuna::ValueRange limits() const { return limits_; }
     /// Middle of a handle in widget coordinates (0: low, 1: high).
@@ -48,6 +51,7 @@ private:
 
     ValueRange limits_{0, 1}, range_{0, 1};
     double step_ = 0.01;
+    QColor color_;
     Part active_ = k_low, dragged_ = k_none;
     double grab_ = 0;  ///< value between the mouse and the low handle while the bar is dragged
 };

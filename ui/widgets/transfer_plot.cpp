@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/classify/histogram_landmarks.h"
 #include "ui/theme.h"
+#include "ui/widgets/histogram_shape.h"
 
 namespace lacuna::ui {
 
 namespace {
-constexpr double k_margin = 10, k_foot = 26, k_pick_px = 10;
+constexpr double k_margin = 10, k_foot = 26, k_pick_px = 10, k_snap_px = 6;
 }
 
 QColor to_qcolor(const glm::dvec3& color) {
@@ -28,29 +30,48 @@ TransferPlot::TransferPlot(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Transfer function"));
     setAccessibleDescription(
-        tr("Arrow keys move the selected point, Page Up and Page Down select another, Insert adds one, Delete removes "
-           "it, Enter chooses its colour."));
+        tr("Arrow keys move the selected points, Page Up and Page Down select another, Control A all, Insert adds one, "
+           "Delete removes them, Enter chooses the colour."));
     setToolTip(
-        tr("Drag points · double click adds one · Delete removes it · right click chooses its colour · wheel "
-           "zooms the value axis"));
+        tr("Drag points · drag a box to select several · double click adds one · Delete removes it · right click "
+           "chooses its colour · wheel zooms the value axis · points snap to peaks and valleys, not with Alt"));
 }
 
 void TransferPlot::setHistogram(const std::vector<std::uint64_t>& counts, ValueRange range) {
     counts_ = counts;
-    range_ = range.width() > 0 ? range : ValueRange{range.lo - 0.5, range.lo + 0.5};
-    showAll();
+    landmarks_ = histogram_landmarks(counts, range);
+    const ValueRange next = range.width() > 0 ? range : ValueRange{range.lo - 0.5, range.lo + 0.5};
+    const bool same = next == range_;
+    range_ = next;
+    same ? update() : showAll();
+}
+
+void TransferPlot::setLogarithmic(bool on) {
+    logarithmic_ = on;
+    update();
+}
+
+void TransferPlot::setColorless(bool on) {
+    colorless_ = on;
+    update();
 }
 
 void TransferPlot::setFunction(const TransferFunction& function) {
     if (function == function_) return;
     function_ = function;
-    select(std::clamp(selected_, 0, std::max(0, int(function_.points.size()) - 1)));
+    const int count = int(function_.points.size());
+    std::erase_if(selection_, [&](int point) { return point >= count; });
+    if (!selection_.contains(selected_)) select(std::clamp(selected_, 0, std::max(0, count - 1)));
     update();
 }
 
-void TransferPlot::select(int point) {
-    if (point == selected_) return;
-    selected_ = point;
+void TransferPlot::select(int point) { setSelection({point}); }
+
+void TransferPlot::setSelection(std::set<int> points) {
+    const int primary = points.contains(selected_) ? selected_ : points.empty() ? -1 : *points.begin();
+    if (primary == selected_ && points == selection_) return;
+    selection_ = std::move(points);
+    selected_ = primary;
     update();
     Q_EMIT selectionChanged(selected_);
 }
@@ -88,28 +109,77 @@ int TransferPlot::pointAt(const QPointF& position) const {
     return nearest;
 }
 
-void TransferPlot::movePoint(int point, double value, double opacity) {
-    auto& points = function_.points;
-    const std::size_t i = std::size_t(point);
-    if (i >= points.size()) return;
-    const double lowest = i > 0 ? points[i - 1].value : range_.lo;
-    const double highest = i + 1 < points.size() ? points[i + 1].value : range_.hi;
-    TransferPoint moved = points[i];
-    // A preset's outer points may lie beyond the data; they are not pulled in by an edit of their opacity.
-    moved.value = std::clamp(value, std::min(lowest, moved.value), std::max(highest, moved.value));
-    moved.opacity = std::clamp(opacity, 0.0, 1.0);
-    if (moved == points[i]) return;
-    points[i] = moved;
+void TransferPlot::moveSelection(const TransferFunction& from, double value, double opacity) {
+    TransferFunction moved = from;
+    const auto count = int(from.points.size());
+    double left = -1e300, right = 1e300, down = -1, up = 1;  // how far all can go
+    for (const int i : selection_) {
+        if (i < 0 || i >= count) return;
+        const TransferPoint& p = from.points[std::size_t(i)];
+        // A preset's outer points may lie beyond the data; they are not pulled in by an edit of their opacity.
+        if (!selection_.contains(i - 1))
+            left = std::max(left,
+                            (i > 0 ? from.points[std::size_t(i) - 1].value : std::min(range_.lo, p.value)) - p.value);
+        if (!selection_.contains(i + 1))
+            right =
+                std::min(right, (i + 1 < count ? from.points[std::size_t(i) + 1].value : std::max(range_.hi, p.value)) -
+                                    p.value);
+        down = std::max(down, -p.opacity);
+        up = std::min(up, 1 - p.opacity);
+    }
+    value = std::clamp(value, std::min(left, 0.0), std::max(right, 0.0));
+    opacity = std::clamp(opacity, down, up);
+    for (const int i : selection_) {
+        TransferPoint& p = moved.points[std::size_t(i)];
+        p.value += value;
+        p.opacity = std::clamp(p.opacity + opacity, 0.0, 1.0);
+    }
+    // Two points may meet in a jump, a third has no place there.
+    for (std::size_t i = 2; i < moved.points.size(); ++i)
+        if (moved.points[i - 2].value >= moved.points[i].value) return;
+    if (moved == function_) return;
+    function_ = moved;
     update();
     Q_EMIT functionEdited(function_);
 }
 
+double TransferPlot::snappedValue(double value) const {
+    const double reach = k_snap_px / plotRect().width() * shown_.width();
+    double nearest = value, least = reach;
+    const auto offer = [&](double to) {
+        if (std::abs(to - value) < least) least = std::abs(to - value), nearest = to;
+    };
+    for (const double landmark : landmarks_) offer(landmark);
+    for (int i = 0; i < int(function_.points.size()); ++i)
+        if (!selection_.contains(i)) offer(function_.points[std::size_t(i)].value);
+    return nearest;
+}
+
+void TransferPlot::dragTo(const QPointF& position, bool snap) {
+    const TransferPoint& held = grab_->function.points[std::size_t(selected_)];
+    double value = held.value + valueAt(position.x()) - valueAt(grab_->from.x());
+    double opacity = held.opacity + (grab_->from.y() - position.y()) / plotRect().height();
+    snapped_to_.reset();
+    if (snap) {
+        const double to = snappedValue(value);
+        if (to != value) snapped_to_ = value = to;
+        const double reach = k_snap_px / plotRect().height();
+        for (const double level : {0.0, 1.0})
+            if (std::abs(opacity - level) < reach) opacity = level;
+    }
+    moveSelection(grab_->function, value - held.value, opacity - held.opacity);
+}
+
 void TransferPlot::addPoint(double value, double opacity) {
     auto& points = function_.points;
+    if (std::count_if(points.begin(), points.end(), [&](const TransferPoint& p) { return p.value == value; }) > 1)
+        return;
     const auto next = std::upper_bound(points.begin(), points.end(), value,
                                        [](double v, const TransferPoint& p) { return v < p.value; });
-    const auto added = points.insert(next, {value, function_.at(value).color, opacity});
+    const glm::dvec3 color = colorless_ || points.empty() ? glm::dvec3(1) : function_.at(value).color;
+    const auto added = points.insert(next, {value, color, opacity});
     selected_ = int(added - points.begin());
+    selection_ = {selected_};
     update();
     Q_EMIT selectionChanged(selected_);
     Q_EMIT functionEdited(function_);
@@ -121,16 +191,25 @@ void TransferPlot::addPointBeside() {
     const double from = i < points.size() ? points[i].value : range_.lo;
     const double to = i + 1 < points.size() ? points[i + 1].value : std::max(from, range_.hi);
     const double value = 0.5 * (from + to);
-    addPoint(value, function_.at(value).opacity);
+    const double next = i + 1 < points.size() ? points[i + 1].opacity : i < points.size() ? points[i].opacity : 1.0;
+    addPoint(value, i < points.size() ? 0.5 * (points[i].opacity + next) : next);
+    Q_EMIT gestureEnded();
 }
 
 void TransferPlot::removeSelected() {
-    if (function_.points.size() < 2 || selected_ < 0 || selected_ >= int(function_.points.size())) return;
-    function_.points.erase(function_.points.begin() + selected_);
-    selected_ = std::min(selected_, int(function_.points.size()) - 1);
+    const auto count = int(function_.points.size());
+    std::vector<TransferPoint> kept;
+    for (int i = 0; i < count; ++i)
+        if (!selection_.contains(i)) kept.push_back(function_.points[std::size_t(i)]);
+    if (kept.empty() && count > 1) kept.push_back(function_.points.front());  // one point at least
+    if (kept.empty() || int(kept.size()) == count) return;
+    function_.points = std::move(kept);
+    selected_ = std::clamp(selected_, 0, int(function_.points.size()) - 1);
+    selection_ = {selected_};
     update();
     Q_EMIT selectionChanged(selected_);
     Q_EMIT functionEdited(function_);
+    Q_EMIT gestureEnded();
 }
 
 void TransferPlot::paintEvent(QPaintEvent*) {
@@ -139,9 +218,28 @@ void TransferPlot::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), theme::colors().base);
     painter.save();
     painter.setClipRect(plotRect().adjusted(-6, -6, 6, 14));
-    paintHistogram(painter);
-    paintFunction(painter);
+    painter.fillPath(histogram_shape(counts_, range_, shown_, logarithmic_, plotRect()), theme::colors().plot_fill);
+    if (!function_.points.empty()) paintFunction(painter);
+    if (snapped_to_) {
+        painter.setPen(QPen(theme::colors().accent, 1, Qt::DashLine));
+        painter.drawLine(QPointF(xOf(*snapped_to_), plotRect().top()), QPointF(xOf(*snapped_to_), plotRect().bottom()));
+    }
+    paintPoints(painter);
+    if (box_) {
+        painter.setPen(QPen(theme::colors().accent, 1));
+        QColor fill = theme::colors().accent;
+        fill.setAlpha(40);
+        painter.setBrush(fill);
+        painter.drawRect(box_->normalized());
+    }
     painter.restore();
+    paintFoot(painter);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(hasFocus() ? theme::colors().accent : theme::colors().border, 1));
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
+void TransferPlot::paintFoot(QPainter& painter) const {
     QFont small = font();
     small.setPointSizeF(font().pointSizeF() * 0.85);
     painter.setFont(small);
@@ -149,51 +247,27 @@ void TransferPlot::paintEvent(QPaintEvent*) {
     const QRectF foot(plotRect().left(), plotRect().bottom() + 9, plotRect().width(), k_foot - 9);
     painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, QString::number(shown_.lo, 'g', 5));
     painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, QString::number(shown_.hi, 'g', 5));
-    if (selected_ >= 0 && selected_ < int(function_.points.size())) {
+    painter.setPen(theme::colors().text);
+    if (selection_.size() > 1) {
+        painter.drawText(foot, Qt::AlignCenter, tr("%n points selected", nullptr, int(selection_.size())));
+    } else if (selected_ >= 0 && selected_ < int(function_.points.size())) {
         const TransferPoint& p = function_.points[std::size_t(selected_)];
-        painter.setPen(theme::colors().text);
         painter.drawText(foot, Qt::AlignCenter, tr("%1 → %2").arg(p.value, 0, 'g', 5).arg(p.opacity, 0, 'f', 3));
     }
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(hasFocus() ? theme::colors().accent : theme::colors().border, 1));
-    painter.drawRect(rect().adjusted(0, 0, -1, -1));
-}
-
-void TransferPlot::paintHistogram(QPainter& painter) const {
-    if (counts_.empty()) return;
-    const QRectF plot = plotRect();
-    const int columns = std::max(1, int(plot.width()));
-    std::vector<double> column(std::size_t(columns), 0.0);
-    const double bins_per_value = double(counts_.size()) / range_.width();
-    double highest = 1;
-    for (int x = 0; x < columns; ++x) {
-        const double from = (valueAt(plot.left() + x) - range_.lo) * bins_per_value;
-        const double to = (valueAt(plot.left() + x + 1) - range_.lo) * bins_per_value;
-        const int first = std::max(0, int(std::floor(from)));
-        const int last = std::min(int(counts_.size()) - 1, std::max(int(std::floor(from)), int(std::ceil(to)) - 1));
-        std::uint64_t peak = 0;
-        for (int bin = first; bin <= last; ++bin) peak = std::max(peak, counts_[std::size_t(bin)]);
-        column[std::size_t(x)] = std::log1p(double(peak));
-        highest = std::max(highest, column[std::size_t(x)]);
-    }
-    QPainterPath path(QPointF(plot.left(), plot.bottom()));
-    for (int x = 0; x < columns; ++x)
-        path.lineTo(plot.left() + x + 0.5, plot.bottom() - column[std::size_t(x)] / highest * plot.height());
-    path.lineTo(plot.right(), plot.bottom());
-    painter.fillPath(path, theme::colors().plot_fill);
 }
 
 void TransferPlot::paintFunction(QPainter& painter) const {
-    if (function_.points.empty()) return;
     const QRectF plot = plotRect();
+    TransferFunction by_points = function_;
+    by_points.by_shapes = false;
     // The colours run along the foot, and under the curve as far as it is opaque.
     QLinearGradient colors(plot.left(), 0, plot.right(), 0);
     const int stops = 64;
     for (int i = 0; i <= stops; ++i) {
         const double share = double(i) / stops;
-        colors.setColorAt(share, to_qcolor(function_.at(shown_.lo + share * shown_.width()).color));
+        colors.setColorAt(share, to_qcolor(by_points.at(shown_.lo + share * shown_.width()).color));
     }
-    painter.fillRect(QRectF(plot.left(), plot.bottom() + 2, plot.width(), 5), colors);
+    if (!colorless_) painter.fillRect(QRectF(plot.left(), plot.bottom() + 2, plot.width(), 5), colors);
     QPolygonF curve;
     curve << QPointF(plot.left() - 10, yOf(function_.points.front().opacity));
     for (int i = 0; i < int(function_.points.size()); ++i) curve << pointPosition(i);
@@ -210,8 +284,11 @@ void TransferPlot::paintFunction(QPainter& painter) const {
     painter.setPen(QPen(theme::colors().plot_line, 1.4));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(curve);
+}
+
+void TransferPlot::paintPoints(QPainter& painter) const {
     for (int i = 0; i < int(function_.points.size()); ++i) {
-        const bool chosen = i == selected_;
+        const bool chosen = selection_.contains(i);
         painter.setBrush(to_qcolor(function_.points[std::size_t(i)].color));
         painter.setPen(QPen(chosen ? theme::colors().accent : theme::colors().plot_line, chosen ? 2.5 : 1.2));
         painter.drawEllipse(pointPosition(i), chosen ? 6 : 5, chosen ? 6 : 5);
@@ -220,22 +297,66 @@ void TransferPlot::paintFunction(QPainter& painter) const {
 
 void TransferPlot::mousePressEvent(QMouseEvent* event) {
     const int point = pointAt(event->position());
-    if (point < 0) return;
-    select(point);
-    if (event->button() == Qt::LeftButton) dragging_ = true;
+    const bool adding = event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier);
+    if (point < 0) {
+        if (event->button() != Qt::LeftButton) return;
+        before_box_ = adding ? selection_ : std::set<int>{};
+        box_ = QRectF(event->position(), QSizeF(0, 0));
+        return;
+    }
+    if (adding && event->button() == Qt::LeftButton) {
+        std::set<int> next = selection_;
+        if (!next.erase(point)) next.insert(point);
+        return setSelection(std::move(next));
+    }
+    if (!selection_.contains(point)) select(point);
+    if (selected_ != point) {
+        selected_ = point;  // of several, the one that is held tells where all snap
+        Q_EMIT selectionChanged(point);
+        update();
+    }
+    if (event->button() == Qt::LeftButton) grab_ = Grab{event->position(), function_};
     if (event->button() == Qt::RightButton) Q_EMIT colorRequested(point);
 }
 
 void TransferPlot::mouseMoveEvent(QMouseEvent* event) {
-    if (dragging_) movePoint(selected_, valueAt(event->position().x()), opacityAt(event->position().y()));
+    if (grab_ && selected_ >= 0 && selected_ < int(grab_->function.points.size()))
+        return dragTo(event->position(), !(event->modifiers() & Qt::AltModifier));
+    if (!box_) return;
+    box_->setBottomRight(event->position());
+    std::set<int> inside = before_box_;
+    for (int i = 0; i < int(function_.points.size()); ++i)
+        if (box_->normalized().contains(pointPosition(i))) inside.insert(i);
+    setSelection(std::move(inside));
+    update();
 }
 
-void TransferPlot::mouseReleaseEvent(QMouseEvent*) { dragging_ = false; }
+void TransferPlot::mouseReleaseEvent(QMouseEvent*) {
+    if (box_ && selection_.empty() && !function_.points.empty()) {
+        // A click beside the points leaves one selected, for the fields below to show.
+        setSelection({0});
+    }
+    box_.reset();
+    if (grab_) endGesture();
+    update();
+}
+
+void TransferPlot::endGesture() {
+    const bool edited = grab_ && grab_->function != function_;
+    grab_.reset();
+    snapped_to_.reset();
+    update();
+    if (edited) Q_EMIT gestureEnded();
+}
 
 void TransferPlot::mouseDoubleClickEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || pointAt(event->position()) >= 0) return;
+    box_.reset();
+    TransferFunction before = function_;
     addPoint(std::clamp(valueAt(event->position().x()), range_.lo, range_.hi), opacityAt(event->position().y()));
-    dragging_ = true;
+    // Still held, it can be dragged; both are one step.
+    if (function_ != before) grab_ = Grab{event->position(), function_};
+    Q_EMIT gestureEnded();
 }
 
 void TransferPlot::wheelEvent(QWheelEvent* event) {
@@ -252,17 +373,21 @@ void TransferPlot::wheelEvent(QWheelEvent* event) {
 void TransferPlot::keyPressEvent(QKeyEvent* event) {
     const int count = int(function_.points.size());
     if (count == 0 || selected_ < 0 || selected_ >= count) return QWidget::keyPressEvent(event);
-    const TransferPoint& p = function_.points[std::size_t(selected_)];
+    if (event->matches(QKeySequence::SelectAll)) {
+        std::set<int> all;
+        for (int i = 0; i < count; ++i) all.insert(i);
+        return setSelection(std::move(all));
+    }
     const double step = shown_.width() / 100, rise = 0.02;
     switch (event->key()) {
         case Qt::Key_Left:
-            return movePoint(selected_, p.value - step, p.opacity);
+            return moveSelection(function_, -step, 0);
         case Qt::Key_Right:
-            return movePoint(selected_, p.value + step, p.opacity);
+            return moveSelection(function_, step, 0);
         case Qt::Key_Up:
-            return movePoint(selected_, p.value, p.opacity + rise);
+            return moveSelection(function_, 0, rise);
         case Qt::Key_Down:
-            return movePoint(selected_, p.value, p.opacity - rise);
+            return moveSelection(function_, 0, -rise);
         case Qt::Key_PageUp:
             return select((selected_ + 1) % count);
         case Qt::Key_PageDown:

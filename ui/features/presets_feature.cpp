@@ -1,0 +1,199 @@
+#include "ui/features/presets_feature.h"
+
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QStandardPaths>
+
+#include "core/session/preset_settings.h"
+
+namespace lacuna::ui {
+
+PresetsFeature::PresetsFeature(Workbench& bench)
+    : QObject(&bench),
+      bench_(bench),
+      gallery_(new PresetGallery(bench.window())),
+      dock_(bench.addDock(QStringLiteral("presets"), tr("Presets"), gallery_, Qt::RightDockWidgetArea)),
+      thumbnails_(new PresetThumbnails(bench.scheduler(), this)) {
+    bench.needDocument(gallery_);
+    if (auto* scene = bench.window()->findChild<QDockWidget*>(QStringLiteral("scene"))) {
+        bench.window()->tabifyDockWidget(scene, dock_);
+        scene->raise();
+    }
+    connectGallery();
+    connectDocument();
+    addActions();
+}
+
+std::filesystem::path PresetsFeature::folder() {
+    return std::filesystem::path(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString()) /
+           "presets";
+}
+
+template <class Work>
+bool PresetsFeature::attempt(Work&& work) {
+    try {
+        work();
+        return true;
+    } catch (const Error& error) {
+        bench_.report(error);
+        return false;
+    }
+}
+
+void PresetsFeature::connectGallery() {
+    connect(gallery_, &PresetGallery::shown, this, &PresetsFeature::drawVisible);
+    connect(gallery_, &PresetGallery::applyRequested, this, &PresetsFeature::apply);
+    connect(gallery_, &PresetGallery::saveRequested, this,
+            [this] { askName(tr("Save as a preset"), QString(), [this](const QString& name) { saveAs(name); }); });
+    connect(gallery_, &PresetGallery::renameRequested, this, [this](const PresetEntry& entry) {
+        askName(tr("Rename the preset"), QString::fromStdString(entry.name),
+                [this, entry](const QString& name) { rename(entry, name); });
+    });
+    connect(gallery_, &PresetGallery::removeRequested, this, [this](const PresetEntry& entry) {
+        auto* question =
+            new QMessageBox(QMessageBox::Question, tr("Delete the preset"),
+                            tr("Delete the preset “%1”? Its file is removed.").arg(QString::fromStdString(entry.name)),
+                            QMessageBox::Yes | QMessageBox::Cancel, bench_.window());
+        question->setAttribute(Qt::WA_DeleteOnClose);
+        connect(question, &QMessageBox::accepted, this, [this, entry] { remove(entry); });
+        question->open();
+    });
+    connect(gallery_, &PresetGallery::importRequested, this, [this] {
+        const QString file = QFileDialog::getOpenFileName(bench_.window(), tr("Import a preset"), QString(),
+                                                          tr("Presets (*.json);;All files (*)"));
+        if (!file.isEmpty()) importFile(file);
+    });
+    connect(gallery_, &PresetGallery::exportRequested, this, [this](const PresetEntry& entry) {
+        const QString name = QString::fromStdString(entry.name) + QStringLiteral(".json");
+        QString file =
+            QFileDialog::getSaveFileName(bench_.window(), tr("Export the preset"), name, tr("Presets (*.json)"));
+        if (file.isEmpty() || !bench_.documents()->hasDocument()) return;
+        if (!file.endsWith(QStringLiteral(".json"))) file += QStringLiteral(".json");
+        const Document& document = bench_.documents()->document();
+        attempt([&] { save_preset(preset_for(entry, document.volume, *document.statistics), file.toStdString()); });
+    });
+    connect(thumbnails_, &PresetThumbnails::drawn, gallery_, &PresetGallery::setPicture);
+}
+
+void PresetsFeature::connectDocument() {
+    DocumentController* documents = bench_.documents();
+    connect(documents, &DocumentController::opened, this, [this, documents] {
+        thumbnails_->setDocument(documents->document());
+        list();
+    });
+    connect(&bench_, &Workbench::engineReady, this, [this] { thumbnails_->setEngine(bench_.engine()); });
+    connect(dock_, &QDockWidget::visibilityChanged, this, [this](bool visible) { visible ? list() : drawVisible(); });
+}
+
+void PresetsFeature::addActions() {
+    QMenu* menu = bench_.submenu(Workbench::Menu::tools, tr("&Colours"));
+    bench_.add(menu, tr("&Presets"), QKeySequence(QStringLiteral("Ctrl+Alt+P")), this, &PresetsFeature::showGallery);
+    bench_.add(menu, tr("Sa&ve as a preset…"), {}, gallery_, &PresetGallery::saveRequested);
+    bench_.add(menu, tr("&Import a preset…"), {}, gallery_, &PresetGallery::importRequested);
+}
+
+void PresetsFeature::showGallery() {
+    dock_->show();
+    dock_->raise();
+    gallery_->list()->setFocus();
+}
+
+void PresetsFeature::list() {
+    attempt([&] { gallery_->setEntries(list_presets(folder())); });
+    drawVisible();
+}
+
+void PresetsFeature::drawVisible() {
+    if (!bench_.documents()->hasDocument()) return;
+    const Document& document = bench_.documents()->document();
+    std::vector<std::pair<QString, ViewSettings>> wanted;
+    for (const PresetEntry& entry : gallery_->visibleEntries()) {
+        const QString key = PresetGallery::keyOf(entry);
+        if (const QImage known = thumbnails_->picture(key); !known.isNull()) {
+            gallery_->setPicture(key, known);
+            continue;
+        }
+        ViewSettings plain;  // nothing cut away, no effects: what tells presets apart
+        plain.iso = document.settings.iso;
+        plain.lmip_threshold = document.settings.lmip_threshold;
+        plain.window = document.settings.window;
+        plain.projection_window = document.settings.projection_window;
+        try {
+            wanted.emplace_back(key, with_preset(plain, preset_for(entry, document.volume, *document.statistics)));
+        } catch (const Error&) {
+            continue;  // its tool tip says why
+        }
+    }
+    thumbnails_->want(std::move(wanted));
+}
+
+void PresetsFeature::apply(const PresetEntry& entry) {
+    if (!bench_.documents()->hasDocument()) return;
+    const Document& document = bench_.documents()->document();
+    attempt([&] {
+        PresetFile preset = preset_for(entry, document.volume, *document.statistics);
+        if (!gallery_->withTechnique()) preset.technique.reset();
+        const ViewSettings next = with_preset(document.settings, preset);
+        bench_.documents()->endGesture();
+        bench_.documents()->edit(tr("Preset %1").arg(QString::fromStdString(entry.name)), next);
+        bench_.documents()->endGesture();
+    });
+}
+
+void PresetsFeature::askName(const QString& title, const QString& proposed, std::function<void(const QString&)> then) {
+    auto* dialog = new QInputDialog(bench_.window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    dialog->setLabelText(tr("Name of the preset"));
+    dialog->setTextValue(proposed);
+    connect(dialog, &QInputDialog::textValueSelected, this, [then](const QString& name) { then(name.trimmed()); });
+    dialog->open();
+}
+
+void PresetsFeature::saveAs(const QString& name) {
+    if (!bench_.documents()->hasDocument()) return;
+    const PresetFile preset = preset_of(bench_.documents()->document().settings, name.toStdString());
+    const auto keep = [this, preset, name](bool replace) {
+        std::filesystem::path file;
+        if (!attempt([&] { file = store_preset(folder(), preset, replace); })) return;
+        thumbnails_->forget(QString::fromStdString(file.string()));
+        list();
+        gallery_->choose(name);
+    };
+    bool own = false;
+    attempt([&] {
+        for (const PresetEntry& entry : list_presets(folder()))
+            own = own || (!entry.built_in() && entry.name == preset.tf.name);
+    });
+    if (!own) return keep(false);
+    auto* question = new QMessageBox(QMessageBox::Question, tr("Save as a preset"),
+                                     tr("There is a preset “%1” already. Replace it?").arg(name),
+                                     QMessageBox::Yes | QMessageBox::Cancel, bench_.window());
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    connect(question, &QMessageBox::accepted, this, [keep] { keep(true); });
+    question->open();
+}
+
+void PresetsFeature::rename(const PresetEntry& entry, const QString& name) {
+    if (!attempt([&] { rename_preset(entry.file, name.toStdString()); })) return;
+    list();
+    gallery_->choose(name);
+}
+
+void PresetsFeature::remove(const PresetEntry& entry) {
+    if (attempt([&] { remove_preset(entry.file); })) list();
+}
+
+void PresetsFeature::importFile(const QString& file) {
+    const bool done = attempt([&] {
+        PresetFile preset = load_preset(file.toStdString());
+        if (preset.tf.name.empty()) preset.tf.name = std::filesystem::path(file.toStdString()).stem().string();
+        store_preset(folder(), preset, false);
+        list();
+        gallery_->choose(QString::fromStdString(preset.tf.name));
+    });
+    if (done) showGallery();
+}
+
+}  // namespace lacuna::ui
