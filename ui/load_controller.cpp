@@ -1,5 +1,7 @@
 #include "ui/load_controller.h"
 
+#include "core/io/dicom_identity.h"
+#include "core/io/dicom_source.h"
 #include "core/io/volume_reader.h"
 #include "core/render/brick_plan.h"
 
@@ -18,6 +20,20 @@ void require_memory(const std::string& name, const OpenOptions& options) {
                                          " MB (75 % of the machine's memory); lacuna render draws it from disk.");
 }
 
+/// What only the screen shows of a DICOM series. An input that cannot be told a second time is shown without.
+void add_screen_facts(Document& document, const JobContext& job) {
+    try {
+        const auto source = find_dicom_source(document.input, document.options, job);
+        if (!source || source->images.empty()) return;
+        const DicomScreenFacts facts = read_screen_facts(source->images.front().file, source->images.front().frame);
+        // In a DICONDE file the patient is a part, and its fields are known already.
+        if (document.volume.dicom->component.empty()) document.patient = facts.patient;
+        if (facts.voi_function) document.settings.slices.function = *facts.voi_function;
+    } catch (const Error& error) {
+        if (error.code() == Errc::cancelled) throw;
+    }
+}
+
 }  // namespace
 
 void LoadController::open(const QString& input, const OpenOptions& options) {
@@ -29,6 +45,7 @@ void LoadController::open(const QString& input, const OpenOptions& options) {
                 Volume volume = open_volume(name, options, job.part(0, 0.9));
                 Opened opened{make_document(name, std::move(volume), job.part(0.9, 1)), {}};
                 opened.document.options = options;
+                if (opened.document.volume.dicom) add_screen_facts(opened.document, {job.stop, nullptr});
                 return opened;
             } catch (const AmbiguousInput& several) {
                 return Opened{{}, several.entries};

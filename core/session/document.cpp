@@ -7,6 +7,14 @@
 
 namespace lacuna {
 
+bool same_scene(const ViewSettings& a, const ViewSettings& b) {
+    ViewSettings other = b;
+    other.window = a.window;
+    other.slices = a.slices;
+    other.measurements = a.measurements;
+    return a == other;
+}
+
 const std::vector<WindowPreset>& hounsfield_windows() {
     static const std::vector<WindowPreset> presets = {{"Brain", 40, 80},        {"Abdomen", 40, 400},
                                                       {"Mediastinum", 50, 350}, {"Bone", 500, 2000},
@@ -100,6 +108,8 @@ Document make_document(std::string input, Volume volume, const JobContext& job) 
     settings.surface_color = scene.surface_color;
     settings.projection_window = scene.window;
     settings.window = default_window(document.volume, *document.statistics);
+    // PS3.3 C.11.2.1.3: LINEAR where a DICOM file says nothing else; read_screen_facts() tells what it says.
+    if (document.volume.dicom) settings.slices.function = VoiFunction::linear;
     document.home = home_camera(document.volume, *document.statistics);
     document.camera = document.home;
     const GridGeometry& geometry = document.volume.geometry();

@@ -11,9 +11,13 @@
 #include "core/regions/regions.h"
 #include "core/render/plan_json.h"
 #include "core/render/scene.h"
+#include "core/session/measurement.h"
+#include "core/session/slice_settings.h"
 #include "core/volume/statistics.h"
 
 namespace lacuna {
+
+struct PatientIdentity;
 
 /// A segmentation range as a person edits it: it may be switched off without being forgotten.
 struct RangeSetting {
@@ -56,7 +60,9 @@ struct ViewSettings {
     std::vector<CutSetting> cuts;      ///< at most Scene::k_max_cuts
     ValueRange window;                 ///< grey levels of the slices
     ValueRange projection_window;      ///< grey levels of the projections and of cut faces
-    bool color_by_tf = false;          ///< projections in the transfer function's colours
+    SliceSettings slices;
+    std::vector<Measurement> measurements;
+    bool color_by_tf = false;  ///< projections in the transfer function's colours
     glm::dvec3 surface_color{0.92, 0.88, 0.80};
     Quality quality;
     std::vector<Effect>
@@ -70,6 +76,7 @@ struct Document {
     std::string input;    ///< as opened
     OpenOptions options;  ///< as opened: which series, how raw voxels lie
     Volume volume;
+    std::shared_ptr<const PatientIdentity> patient;  ///< personal: for the views' corners alone; null: not known
     std::shared_ptr<const VolumeStatistics> statistics;
     ViewSettings settings;
     Camera camera;
@@ -83,6 +90,9 @@ struct Document {
     std::shared_ptr<const std::vector<Highlight>> defects;  ///< as drawn in 3D; null: none are shown
     std::shared_ptr<const ModePlan> planned;                ///< the planner's answer to the budget; null: none yet
 };
+
+/// Whether two settings make the same 3D picture: all are equal but what only slices show.
+bool same_scene(const ViewSettings& a, const ViewSettings& b);
 
 /// A named pair of grey levels for slices, as centre and width.
 struct WindowPreset {

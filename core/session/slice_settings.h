@@ -1,0 +1,20 @@
+#pragma once
+
+#include <glm/gtc/quaternion.hpp>
+
+#include "core/volume/reslice.h"
+#include "core/volume/voi_window.h"
+
+namespace lacuna {
+
+/// How the slices are cut and painted, beside their window.
+struct SliceSettings {
+    VoiFunction function = VoiFunction::linear_exact;  ///< of the window
+    /// Turns the three planes together about the cross-hair, in patient space; the identity: they lie along the grid.
+    glm::dquat tilt{1, 0, 0, 0};
+    Slab slab;
+    double overlay_opacity = 0.65;  ///< of regions and defects, 0..1
+    friend bool operator==(const SliceSettings&, const SliceSettings&) = default;
+};
+
+}  // namespace lacuna
