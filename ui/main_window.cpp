@@ -96,8 +96,12 @@ void MainWindow::buildFeatures() {
     settings_ = new SettingsFeature(*bench_);
     connect(settings_, &SettingsFeature::engineChosen, this,
             [this] { startEngine(engine_on(preferences::device().toStdString(), preferences::memory_limit_mib())); });
+    measure_ = new MeasureFeature(*bench_);
+    slices_ = new SlicesFeature(*bench_, slices_panel_);
+    patient_ = new PatientFeature(*bench_);
     tabifyDockWidget(regions_->dock(), inspection_->dock());
     tabifyDockWidget(inspection_->dock(), accuracy_->dock());
+    tabifyDockWidget(accuracy_->dock(), measure_->dock());
     regions_->dock()->raise();
     resizeDocks({regions_->dock()}, {190}, Qt::Vertical);
 }
@@ -185,7 +189,7 @@ void MainWindow::connectViews() {
     });
     connect(documents_, &DocumentController::settingsChanged, this, [this] {
         showSettings();
-        renderScene();
+        if (!same_scene(rendered_, documents_->document().settings)) renderScene();
     });
     connect(documents_, &DocumentController::selectionChanged, this, &MainWindow::showSelection);
     connect(documents_, &DocumentController::plannedChanged, this, &MainWindow::renderScene);
@@ -233,8 +237,6 @@ void MainWindow::connectRendering() {
 
 void MainWindow::showDocument() {
     const Document& document = documents_->document();
-    const QString name = QString::fromStdString(document.volume.name.empty() ? document.input : document.volume.name);
-    setWindowTitle(tr("%1[*] — Lacuna").arg(name));
     for (SliceView* slice : views_->slices()) {
         slice->setVolume(document.volume);
         slice->setCursor3d(document.cursor_mm);
@@ -272,7 +274,7 @@ void MainWindow::showSettings() {
     for (const CutSetting& cut : settings.cuts)
         if (cut.enabled) cuts.push_back(cut.plane);
     for (SliceView* slice : views_->slices()) {
-        slice->setWindow(settings.window);
+        slice->setSettings(settings.window, settings.slices);
         slice->setCuts(cuts);
     }
     for (std::size_t i = 0; i < mode_names().size(); ++i)
@@ -307,6 +309,7 @@ void MainWindow::showSelection() {
 void MainWindow::renderScene() {
     if (!documents_->hasDocument()) return;
     try {
+        rendered_ = documents_->document().settings;
         const Scene scene = scene_of(documents_->document());
         scheduler_->setScene(scene, plan_of(documents_->document(), scene));
     } catch (const Error& error) {

@@ -11,9 +11,12 @@
 #include "ui/features/help_feature.h"
 #include "ui/features/inspection_feature.h"
 #include "ui/features/layout_feature.h"
+#include "ui/features/measure_feature.h"
+#include "ui/features/patient_feature.h"
 #include "ui/features/regions_feature.h"
 #include "ui/features/session_feature.h"
 #include "ui/features/settings_feature.h"
+#include "ui/features/slices_feature.h"
 #include "ui/panels/cuts_panel.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/ranges_panel.h"
@@ -43,6 +46,9 @@ public:
     InspectionFeature* inspection() const { return inspection_; }
     SessionFeature* session() const { return session_; }
     AccuracyFeature* accuracy() const { return accuracy_; }
+    MeasureFeature* measure() const { return measure_; }
+    SlicesFeature* slices() const { return slices_; }
+    PatientFeature* patient() const { return patient_; }
     FourUp* views() const { return views_; }
     LayoutFeature* layoutFeature() const { return layout_; }
     SettingsFeature* settingsFeature() const { return settings_; }
@@ -119,8 +125,12 @@ private:
     SettingsFeature* settings_ = nullptr;
     HelpFeature* help_ = nullptr;
     LayoutFeature* layout_ = nullptr;
+    MeasureFeature* measure_ = nullptr;
+    SlicesFeature* slices_ = nullptr;
+    PatientFeature* patient_ = nullptr;
     QActionGroup* modes_ = nullptr;
-    QTimer slow_frame_;  ///< a frame is only worth a progress bar when it takes its time
+    ViewSettings rendered_;  ///< the 3D picture is of these
+    QTimer slow_frame_;      ///< a frame is only worth a progress bar when it takes its time
     TaskList::Id load_task_ = 0, frame_task_ = 0;
     LatestJob<std::shared_ptr<Engine>> engine_job_;
 };

@@ -17,8 +17,8 @@ bool same_scene(const ViewSettings& a, const ViewSettings& b) {
 
 const std::vector<WindowPreset>& hounsfield_windows() {
     static const std::vector<WindowPreset> presets = {{"Brain", 40, 80},        {"Abdomen", 40, 400},
-                                                      {"Mediastinum", 50, 350}, {"Bone", 500, 2000},
-                                                      {"Lung", -600, 1500},     {"Angio", 300, 600}};
+                                                      {"Bone", 500, 2000},      {"Lung", -600, 1500},
+                                                      {"Mediastinum", 50, 350}, {"Angio", 300, 600}};
     return presets;
 }
 

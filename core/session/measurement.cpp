@@ -89,6 +89,17 @@ std::string quoted(const std::string& text) {
 int point_count(MeasurementKind kind) { return kind == MeasurementKind::angle ? 3 : 2; }
 
 std::string_view name_of(MeasurementKind kind) { return name_in(k_kinds, kind); }
+MeasurementKind parse_measurement_kind(std::string_view text) { return parse_name(k_kinds, text, "measurement"); }
+
+const char* fault_of(const Measurement& m) {
+    if (int(m.points_mm.size()) != point_count(m.kind)) return "it has not as many points as its kind needs.";
+    for (const glm::dvec3& p : m.points_mm)
+        if (!(glm::dot(p, p) < 1e18)) return "a point is no position.";
+    const auto unit = [](const glm::dvec3& v) { return std::abs(glm::length(v) - 1) <= 1e-6; };
+    if (!unit(m.right) || !unit(m.down) || !(std::abs(glm::dot(m.right, m.down)) <= 1e-6))
+        return "its axes are no unit vectors at right angles.";
+    return "";
+}
 
 double length_mm(const Measurement& m) { return glm::distance(m.points_mm[0], m.points_mm[1]); }
 

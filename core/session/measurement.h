@@ -17,8 +17,9 @@ enum class MeasurementKind { distance, angle, rectangle, ellipse };
 /// Points a person needs to set: distance 2 (its ends), angle 3 (the vertex second), rectangle and ellipse 2 (opposite
 /// corners of the shape's box).
 int point_count(MeasurementKind kind);
-/// "distance", "angle", "rectangle", "ellipse".
+/// "distance", "angle", "rectangle", "ellipse"; @throws Error(bad_usage) for an unknown word
 std::string_view name_of(MeasurementKind kind);
+MeasurementKind parse_measurement_kind(std::string_view text);
 
 /// Something measured on a slice, wherever that lies in space. A plain value.
 struct Measurement {
@@ -31,6 +32,9 @@ struct Measurement {
     bool is_region() const { return kind == MeasurementKind::rectangle || kind == MeasurementKind::ellipse; }
     friend bool operator==(const Measurement&, const Measurement&) = default;
 };
+
+/// What makes it no measurement (points, axes), in one sentence; empty when it is sound.
+const char* fault_of(const Measurement& m);
 
 /// Length of a distance, mm. @pre kind is distance
 double length_mm(const Measurement& m);

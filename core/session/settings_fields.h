@@ -11,6 +11,10 @@ inline ViewMode word_to(std::string_view text, ViewMode) { return parse_view_mod
 inline Shading word_to(std::string_view text, Shading) { return parse_shading(text); }
 inline Sampler word_to(std::string_view text, Sampler) { return parse_sampler(text); }
 
+inline VoiFunction word_to(std::string_view text, VoiFunction) { return parse_voi_function(text); }
+inline SlabMode word_to(std::string_view text, SlabMode) { return parse_slab_mode(text); }
+inline MeasurementKind word_to(std::string_view text, MeasurementKind) { return parse_measurement_kind(text); }
+
 template <class Archive>
 void fields(Archive& archive, ValueRange& range) {
     archive("lo", range.lo);
@@ -55,6 +59,29 @@ void fields(Archive& archive, Quality& quality) {
 }
 
 template <class Archive>
+void fields(Archive& archive, Slab& slab) {
+    archive("thickness_mm", slab.thickness_mm);
+    archive("mode", slab.mode);
+}
+
+template <class Archive>
+void fields(Archive& archive, SliceSettings& slices) {
+    archive("function", slices.function);
+    archive("tilt", slices.tilt);
+    archive("slab", slices.slab);
+    archive("overlay_opacity", slices.overlay_opacity);
+}
+
+template <class Archive>
+void fields(Archive& archive, Measurement& measurement) {
+    archive("id", measurement.id);
+    archive("kind", measurement.kind);
+    archive("points_mm", measurement.points_mm);
+    archive("right", measurement.right);
+    archive("down", measurement.down);
+}
+
+template <class Archive>
 void fields(Archive& archive, ViewSettings& settings) {
     archive("mode", settings.mode);
     archive("iso", settings.iso);
@@ -65,6 +92,8 @@ void fields(Archive& archive, ViewSettings& settings) {
     archive("cuts", settings.cuts);
     archive("window", settings.window);
     archive("projection_window", settings.projection_window);
+    archive("slices", settings.slices);
+    archive("measurements", settings.measurements);
     archive("color_by_tf", settings.color_by_tf);
     archive("surface_color", settings.surface_color);
     archive("quality", settings.quality);

@@ -6,6 +6,7 @@
 
 #include "ui/latest_job.h"
 #include "ui/panels/cuts_panel.h"
+#include "ui/views/slice_annotations.h"
 #include "ui/views/slice_image.h"
 #include "ui/views/slice_plane.h"
 #include "ui/widgets/range_slider.h"
@@ -33,8 +34,9 @@ class Letters : public testing::TestWithParam<LetterCase> {};
 TEST_P(Letters, AreTheRadiologists) {
     const LetterCase& row = GetParam();
     const auto letters = [&](SliceKind kind) {
-        const SlicePlane p = slice_plane(grid({4, 5, 6}, row.direction), kind);
-        return std::string{p.left, p.right, p.top, p.bottom};
+        const GridGeometry geometry = grid({4, 5, 6}, row.direction);
+        const SlicePose p = slice_pose(geometry, kind, {1, 0, 0, 0}, geometry.centre_mm());
+        return p.left + p.right + p.top + p.bottom;
     };
     EXPECT_EQ(letters(SliceKind::axial), row.axial);
     EXPECT_EQ(letters(SliceKind::coronal), row.coronal);
@@ -49,17 +51,63 @@ INSTANTIATE_TEST_SUITE_P(
                     LetterCase{"plain", glm::dmat3(1), "RLAP", "RLHF", "APHF"}),
     [](const auto& row) { return row.param.name; });
 
-TEST(SlicePlane, PicturePositionsAndVoxelsAreOneAnother) {
+TEST(SlicePose, AlongTheGridPixelsAreVoxels) {
     const glm::dmat3 turned({0, -1, 0}, {0, 0, 1}, {-1, 0, 0});
     const GridGeometry geometry = grid({4, 5, 6}, turned);
-    for (const SliceKind kind : {SliceKind::axial, SliceKind::coronal, SliceKind::sagittal}) {
-        const SlicePlane plane = slice_plane(geometry, kind);
-        const glm::dvec3 voxel = plane.to_voxel({1.25, 2.5}, 3, geometry.size);
-        const glm::dvec2 back = plane.to_picture(voxel, geometry.size);
-        EXPECT_NEAR(back.x, 1.25, 1e-12);
-        EXPECT_NEAR(back.y, 2.5, 1e-12);
-        EXPECT_EQ(voxel[plane.w], 3);
+    for (const SliceKind kind : k_slice_kinds) {
+        const SlicePose pose = slice_pose(geometry, kind, {1, 0, 0, 0}, geometry.voxel_to_mm({1.2, 2.9, 4.1}));
+        EXPECT_FALSE(pose.oblique);
+        EXPECT_TRUE(voxel_walk(geometry, pose.frame).on_grid);
+        EXPECT_EQ(pose.index, (glm::ivec3(1, 3, 4)[pose.plane.w]));
+        EXPECT_NEAR(pose.page_mm, geometry.spacing[pose.plane.w], 1e-12);
+        EXPECT_NEAR(pose.frame.depth_mm(geometry.voxel_to_mm(glm::dvec3(1, 3, 4))), 0, 1e-12);
     }
+}
+
+TEST(SlicePose, TiltedPlanesStayAtRightAnglesAndGoThroughTheCrossHair) {
+    const GridGeometry geometry = grid({40, 50, 20}, glm::dmat3({1, 0, 0}, {0, c20, -s20}, {0, s20, c20}));
+    const glm::dvec3 cursor = geometry.voxel_to_mm({13.3, 21.7, 8.2});
+    glm::dquat tilt(1, 0, 0, 0);
+    for (int step = 0; step < 40; ++step) {
+        // Turned about one view's normal, as its handles do.
+        const SliceKind about = k_slice_kinds[std::size_t(step % 3)];
+        const SlicePose before = slice_pose(geometry, about, tilt, cursor);
+        tilt = glm::normalize(glm::angleAxis(0.1 + 0.03 * step, before.frame.normal()) * tilt);
+        const SlicePose after = slice_pose(geometry, about, tilt, cursor);
+        EXPECT_NEAR(glm::distance(after.frame.right, before.frame.right), 0, 1e-9) << "its own picture stays";
+        const auto normals = slice_normals(geometry, tilt);
+        for (std::size_t a = 0; a < 3; ++a) {
+            EXPECT_NEAR(glm::length(normals[a]), 1, 1e-12);
+            EXPECT_NEAR(glm::dot(normals[a], normals[(a + 1) % 3]), 0, 1e-12);
+            const SlicePose pose = slice_pose(geometry, k_slice_kinds[a], tilt, cursor);
+            EXPECT_NEAR(glm::distance(pose.frame.normal(), normals[a]), 0, 1e-9);
+            if (pose.oblique) EXPECT_NEAR(pose.frame.depth_mm(cursor), 0, 1e-9);
+        }
+    }
+}
+
+TEST(SlicePose, ATiltedPictureShowsTheWholeBoxAndNamesItsSides) {
+    const GridGeometry geometry = grid({40, 50, 20});
+    const glm::dquat tilt = glm::angleAxis(glm::radians(45.0), glm::dvec3(0, 0, 1));
+    const SlicePose coronal = slice_pose(geometry, SliceKind::coronal, tilt, geometry.centre_mm());
+    EXPECT_TRUE(coronal.oblique);
+    EXPECT_EQ(coronal.right.size(), 2u);
+    EXPECT_NE(coronal.right.find('L'), std::string::npos);
+    EXPECT_EQ(coronal.top, "H");
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 voxel(corner & 1 ? 39.5 : -0.5, corner & 2 ? 49.5 : -0.5, corner & 4 ? 19.5 : -0.5);
+        const glm::dvec2 at = coronal.frame.to_picture(geometry.voxel_to_mm(voxel));
+        EXPECT_GE(std::min(at.x, at.y), -1e-9);
+        EXPECT_LE(at.x, coronal.frame.size.x + 1e-9);
+        EXPECT_LE(at.y, coronal.frame.size.y + 1e-9);
+    }
+    EXPECT_FALSE(slice_pose(geometry, SliceKind::axial, tilt, geometry.centre_mm()).oblique);
+}
+
+QImage picture_of(const Volume& volume, SliceKind kind, glm::ivec3 voxel, const VoiWindow& window) {
+    const SlicePose pose =
+        slice_pose(volume.geometry(), kind, {1, 0, 0, 0}, volume.geometry().voxel_to_mm(glm::dvec3(voxel)));
+    return slice_image(reslice(volume, pose.frame), {pose.frame.size.x, pose.frame.size.y}, window);
 }
 
 TEST(SliceImage, TheLeftSideIsOnTheRightAndTheFrontOnTop) {
@@ -71,13 +119,14 @@ TEST(SliceImage, TheLeftSideIsOnTheRightAndTheFrontOnTop) {
             std::fill(v.begin(), v.end(), std::uint8_t(0));
             v[std::size_t(geometry.linear_index(x, y, 4))] = 255;
         });
-        const QImage axial = slice_image(volume, slice_plane(geometry, SliceKind::axial), 4, {0, 255});
+        const VoiWindow window = VoiWindow::of(0, 255, VoiFunction::linear_exact);
+        const QImage axial = picture_of(volume, SliceKind::axial, {x, y, 4}, window);
         EXPECT_EQ(axial.size(), QSize(3, 4));
         EXPECT_EQ(qGray(axial.pixel(2, 0)), 255);
-        const QImage coronal = slice_image(volume, slice_plane(geometry, SliceKind::coronal), y, {0, 255});
+        const QImage coronal = picture_of(volume, SliceKind::coronal, {x, y, 4}, window);
         EXPECT_EQ(coronal.size(), QSize(3, 5));
         EXPECT_EQ(qGray(coronal.pixel(2, 0)), 255);
-        const QImage sagittal = slice_image(volume, slice_plane(geometry, SliceKind::sagittal), x, {0, 255});
+        const QImage sagittal = picture_of(volume, SliceKind::sagittal, {x, y, 4}, window);
         EXPECT_EQ(sagittal.size(), QSize(4, 5));
         EXPECT_EQ(qGray(sagittal.pixel(0, 0)), 255);
     }
@@ -88,11 +137,41 @@ TEST(SliceImage, NanAndFlatWindowsAreDrawn) {
         v[0] = std::nanf("");
         v[1] = 7;
     });
-    const SlicePlane plane = slice_plane(volume.geometry(), SliceKind::axial);
-    const QImage flat = slice_image(volume, plane, 0, {3, 3});
+    const QImage flat = picture_of(volume, SliceKind::axial, {0, 0, 0}, {3, 0, VoiFunction::linear_exact});
     EXPECT_EQ(qGray(flat.pixel(0, 0)), 0);
     EXPECT_EQ(qGray(flat.pixel(1, 0)), 255);
-    EXPECT_EQ(qGray(slice_image(volume, plane, 0, {0, 14}).pixel(1, 0)), 128);
+    const QImage half = picture_of(volume, SliceKind::axial, {0, 0, 0}, {7, 14, VoiFunction::linear_exact});
+    EXPECT_EQ(qGray(half.pixel(1, 0)), 128);
+}
+
+TEST(SliceImage, TintsCoverByTheirOpacity) {
+    QImage image(2, 1, QImage::Format_RGB32);
+    image.fill(qRgb(100, 100, 100));
+    SliceOverlay overlay;
+    overlay.id = 7;
+    overlay.color = QColor(200, 0, 50);
+    const std::vector<std::uint32_t> labels = {7, 0};
+    QImage none = image, half = image, whole = image;
+    tint_image(none, labels, overlay, 0);
+    tint_image(half, labels, overlay, 0.5);
+    tint_image(whole, labels, overlay, 1);
+    EXPECT_EQ(none.pixel(0, 0), image.pixel(0, 0));
+    EXPECT_EQ(half.pixel(0, 0), qRgb(150, 50, 75));
+    EXPECT_EQ(whole.pixel(0, 0), qRgb(200, 0, 50));
+    EXPECT_EQ(whole.pixel(1, 0), image.pixel(1, 0));
+}
+
+TEST(ScaleBar, LengthsAreRoundAndFit) {
+    for (const double most : {0.0023, 0.07, 0.999, 1.0, 3.0, 49.0, 50.0, 730.0, 1e4}) {
+        const ScaleLength length = scale_length(most);
+        EXPECT_LE(length.mm, most * (1 + 1e-9));
+        EXPECT_GT(length.mm, most / 2.6);
+        const double digit = length.mm / std::pow(10.0, std::floor(std::log10(length.mm) + 1e-9));
+        EXPECT_TRUE(std::abs(digit - 1) < 1e-6 || std::abs(digit - 2) < 1e-6 || std::abs(digit - 5) < 1e-6) << digit;
+    }
+    EXPECT_EQ(scale_length(70).name, QStringLiteral("5 cm"));
+    EXPECT_EQ(scale_length(0.27).name, QStringLiteral("0.2 mm"));
+    EXPECT_EQ(scale_length(0.06).name, QStringLiteral("50 µm"));
 }
 
 TEST(RangeSlider, HandlesMoveByMouseAndKeysAndNeverCross) {

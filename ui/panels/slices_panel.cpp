@@ -1,21 +1,39 @@
 #include "ui/panels/slices_panel.h"
 
+#include <QCoreApplication>
 #include <QFormLayout>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 
 namespace lacuna::ui {
+
+namespace {
+// For the translators: the names of hounsfield_windows().
+[[maybe_unused]] constexpr const char* k_window_names[] = {
+    QT_TRANSLATE_NOOP("WindowPreset", "Brain"),       QT_TRANSLATE_NOOP("WindowPreset", "Abdomen"),
+    QT_TRANSLATE_NOOP("WindowPreset", "Bone"),        QT_TRANSLATE_NOOP("WindowPreset", "Lung"),
+    QT_TRANSLATE_NOOP("WindowPreset", "Mediastinum"), QT_TRANSLATE_NOOP("WindowPreset", "Angio")};
+}  // namespace
+
+QString window_title(const WindowPreset& preset) { return QCoreApplication::translate("WindowPreset", preset.name); }
 
 SlicesPanel::SlicesPanel(QWidget* parent)
     : QWidget(parent),
       preset_(new QComboBox(this)),
+      function_(new QComboBox(this)),
       level_(new ValueSlider(tr("Level"), this)),
       width_(new ValueSlider(tr("Window width"), this)),
+      slab_mode_(new QComboBox(this)),
+      slab_(new ValueSlider(tr("Slab thickness"), this)),
+      overlay_(new ValueSlider(tr("Opacity of regions and defects"), this)),
+      upright_(new QPushButton(tr("Planes along the grid"), this)),
       projection_(new RangeSlider(this)),
       same_(new QPushButton(tr("As the slices"), this)) {
     build();
+    connectSlices();
     connect(preset_, &QComboBox::activated, this, [this](int i) {
         if (i < 1 || std::size_t(i) > windows_.size()) return;
         ViewSettings next = settings_;
@@ -38,8 +56,56 @@ SlicesPanel::SlicesPanel(QWidget* parent)
     });
 }
 
+void SlicesPanel::connectSlices() {
+    connect(function_, &QComboBox::activated, this, [this](int i) {
+        SliceSettings next = settings_.slices;
+        next.function = VoiFunction(i);
+        editSlices(tr("Window function"), next);
+    });
+    connect(slab_mode_, &QComboBox::activated, this, [this](int i) {
+        SliceSettings next = settings_.slices;
+        next.slab.mode = SlabMode(i);
+        editSlices(tr("Slab"), next);
+    });
+    connect(slab_, &ValueSlider::valueEdited, this, [this](double mm) {
+        SliceSettings next = settings_.slices;
+        next.slab.thickness_mm = mm;
+        editSlices(tr("Slab thickness"), next);
+    });
+    connect(overlay_, &ValueSlider::valueEdited, this, [this](double percent) {
+        SliceSettings next = settings_.slices;
+        next.overlay_opacity = percent / 100;
+        editSlices(tr("Opacity of the overlay"), next);
+    });
+    connect(upright_, &QPushButton::clicked, this, [this] {
+        SliceSettings next = settings_.slices;
+        next.tilt = {1, 0, 0, 0};
+        editSlices(tr("Planes along the grid"), next);
+    });
+}
+
+void SlicesPanel::editSlices(const QString& name, const SliceSettings& slices) {
+    ViewSettings next = settings_;
+    next.slices = slices;
+    Q_EMIT edited(name, next);
+}
+
 void SlicesPanel::build() {
     preset_->setAccessibleName(tr("Window preset"));
+    function_->setAccessibleName(tr("Window function"));
+    function_->addItems({tr("Linear (DICOM)"), tr("Linear, exact"), tr("Sigmoid")});
+    function_->setToolTip(
+        tr("How a window makes grey of values: DICOM PS3.3 C.11.2. Linear (DICOM) leaves half a value at either end, "
+           "as scanners do; exact runs from end to end; sigmoid fades out softly."));
+    slab_mode_->setAccessibleName(tr("What a slab shows"));
+    slab_mode_->addItems({tr("Mean"), tr("Maximum (MIP)"), tr("Minimum (MinIP)")});
+    slab_->setSuffix(tr(" mm"));
+    slab_->setToolTip(tr("How thick the slices are; 0: one voxel"));
+    overlay_->setLimits({0, 100});
+    overlay_->setSuffix(tr(" %"));
+    upright_->setToolTip(
+        tr("Ends the tilt of the slices. They are tilted by dragging a handle near the end of a "
+           "cross-hair's line, or with Shift and the left button."));
     projection_->setAccessibleName(tr("Grey levels of the 3D view"));
     same_->setAccessibleName(tr("Grey levels of the 3D view as in the slices"));
     auto* column = new QVBoxLayout(this);
@@ -47,6 +113,11 @@ void SlicesPanel::build() {
     form->addRow(tr("&Window"), preset_);
     form->addRow(tr("Level"), level_);
     form->addRow(tr("Width"), width_);
+    form->addRow(tr("&Function"), function_);
+    form->addRow(tr("S&lab"), slab_mode_);
+    form->addRow(tr("Thickness"), slab_);
+    form->addRow(tr("Overlay"), overlay_);
+    form->addRow(QString(), upright_);
     column->addLayout(form);
     auto* title = new QLabel(tr("Grey levels of projections and cut faces in 3D"), this);
     title->setContentsMargins(0, 10, 0, 0);
@@ -66,6 +137,10 @@ void SlicesPanel::setVolume(const Volume& volume, std::shared_ptr<const VolumeSt
     width_->setLimits({span / 1000, std::max(2 * span, own_.width())});
     projection_->setLimits({std::min(values.lo, own_.lo), std::max(values.hi, own_.hi)});
     projection_->setStep(ValueSteps::of(values).step);
+    const GridGeometry& geometry = volume.geometry();
+    const double extent = geometry.diameter_mm() / 2;
+    slab_->setLimits({0, extent});
+    slab_->setSteps(ValueSteps::of({0, extent}).decimals, geometry.smallest_spacing_mm());
     fillPresets();
 }
 
@@ -77,7 +152,7 @@ void SlicesPanel::fillPresets() {
                                                 : ValueRange{statistics_->range.lo - 0.5, statistics_->range.lo + 0.5});
     if (unit_ == "HU")
         for (const WindowPreset& preset : hounsfield_windows())
-            windows_.emplace_back(tr("%1 (L %2, W %3)").arg(tr(preset.name)).arg(preset.center).arg(preset.width),
+            windows_.emplace_back(tr("%1 (L %2, W %3)").arg(window_title(preset)).arg(preset.center).arg(preset.width),
                                   ValueRange{preset.center - 0.5 * preset.width, preset.center + 0.5 * preset.width});
     const QSignalBlocker quiet(preset_);
     preset_->clear();
@@ -94,6 +169,12 @@ void SlicesPanel::setSettings(const ViewSettings& settings) {
     preset_->setCurrentIndex(chosen);
     level_->setValue(0.5 * (settings.window.lo + settings.window.hi));
     width_->setValue(settings.window.width());
+    const SliceSettings& slices = settings.slices;
+    function_->setCurrentIndex(int(slices.function));
+    slab_mode_->setCurrentIndex(int(slices.slab.mode));
+    slab_->setValue(slices.slab.thickness_mm);
+    overlay_->setValue(100 * slices.overlay_opacity);
+    upright_->setEnabled(std::abs(slices.tilt.w) < 1);
     if (projection_->range() != settings.projection_window) projection_->setRange(settings.projection_window);
 }
 

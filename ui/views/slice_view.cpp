@@ -12,74 +12,54 @@
 
 namespace lacuna::ui {
 
-namespace {
-
-QString title_of(SliceKind kind) {
-    switch (kind) {
-        case SliceKind::axial:
-            return QObject::tr("Axial");
-        case SliceKind::coronal:
-            return QObject::tr("Coronal");
-        case SliceKind::sagittal:
-            return QObject::tr("Sagittal");
-    }
-    return {};
-}
-
-}  // namespace
-
-SliceView::SliceView(SliceKind kind, QWidget* parent) : QWidget(parent), kind_(kind) {
+SliceView::SliceView(SliceKind kind, QWidget* parent) : QWidget(parent), kind_(kind), picture_(new SlicePicture(this)) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setCursor(Qt::CrossCursor);
     setMinimumSize(120, 100);
-    setAccessibleName(tr("%1 slice").arg(title_of(kind)));
+    setAccessibleName(tr("%1 slice").arg(slice_title(kind)));
     setAccessibleDescription(
         tr("Arrow keys move the cross-hair, Page Up and Page Down turn the pages, Shift and arrow keys change window "
            "and level."));
-}
-
-QColor SliceView::color() const {
-    switch (kind_) {
-        case SliceKind::axial:
-            return theme::k_axial;
-        case SliceKind::coronal:
-            return theme::k_coronal;
-        case SliceKind::sagittal:
-            return theme::k_sagittal;
-    }
-    return theme::k_text;
+    connect(picture_, &SlicePicture::ready, this, qOverload<>(&QWidget::update));
 }
 
 void SliceView::setVolume(const Volume& volume) {
     volume_ = volume;
-    plane_ = volume.empty() ? SlicePlane{} : slice_plane(volume.geometry(), kind_);
-    voxel_ = volume.empty() ? glm::ivec3(0) : volume.geometry().size / 2;
-    overlay_ = {};
+    picture_->setVolume(volume);
     cuts_.clear();
-    image_ = {};
+    settings_.tilt = {1, 0, 0, 0};
+    if (!volume.empty()) cursor_mm_ = volume.geometry().voxel_to_mm(glm::dvec3(volume.geometry().size / 2));
+    place();
     resetView();
 }
 
-void SliceView::setCursor3d(const glm::dvec3& mm) {
-    if (volume_.empty()) return;
-    const glm::ivec3 voxel = nearest_voxel(volume_.geometry(), mm);
-    if (voxel == voxel_) return;
-    if (voxel[plane_.w] != voxel_[plane_.w]) image_ = {};
-    voxel_ = voxel;
+/// Finds the plane anew after the cross-hair or the tilt has moved.
+void SliceView::place() {
+    if (!volume_.empty()) {
+        pose_ = slice_pose(volume_.geometry(), kind_, settings_.tilt, cursor_mm_);
+        picture_->request(pose_.frame, settings_.slab);
+    }
     update();
 }
 
-void SliceView::setWindow(ValueRange window) {
-    if (window == window_) return;
+void SliceView::setCursor3d(const glm::dvec3& mm) {
+    if (volume_.empty() || mm == cursor_mm_) return;
+    cursor_mm_ = mm;
+    place();
+}
+
+void SliceView::setSettings(ValueRange window, const SliceSettings& settings) {
+    if (window == window_ && settings == settings_) return;
     window_ = window;
-    image_ = {};
-    update();
+    settings_ = settings;
+    picture_->setWindow(VoiWindow::of(window.lo, window.hi, settings.function));
+    picture_->setOverlayOpacity(settings.overlay_opacity);
+    place();
 }
 
 void SliceView::setOverlay(const SliceOverlay& overlay) {
-    overlay_ = overlay;
-    image_ = {};
+    picture_->setOverlay(overlay);
     update();
 }
 
@@ -89,142 +69,144 @@ void SliceView::setCuts(const std::vector<CuttingPlane>& cuts) {
     update();
 }
 
+void SliceView::setCornerWords(const QStringList& patient, const QStringList& study) {
+    patient_ = patient;
+    study_ = study;
+    update();
+}
+
+void SliceView::setNotesShown(bool shown) {
+    notes_shown_ = shown;
+    update();
+}
+
 void SliceView::resetView() {
     zoom_ = 1;
     pan_ = {};
     update();
 }
 
+double SliceView::depthTolerance() const { return 0.5 * std::max(pose_.page_mm, settings_.slab.thickness_mm) + 1e-6; }
+
+double SliceView::pixelsPerMm() const { return pictureRect().width() / (pose_.frame.size.x * pose_.frame.pixel_mm.x); }
+
 QRectF SliceView::pictureRect() const {
+    const glm::dvec2 mm = glm::dvec2(pose_.frame.size) * pose_.frame.pixel_mm;
+    // A tilted picture is larger than what it shows; the scale stays that of the slices along the grid.
     const GridGeometry& geometry = volume_.geometry();
-    const double width_mm = geometry.size[plane_.u] * geometry.spacing[plane_.u];
-    const double height_mm = geometry.size[plane_.v] * geometry.spacing[plane_.v];
+    const SlicePlane& plane = pose_.plane;
+    const double width_mm = geometry.size[plane.u] * geometry.spacing[plane.u];
+    const double height_mm = geometry.size[plane.v] * geometry.spacing[plane.v];
     const double margin = 18;
     const double scale = zoom_ * std::min(std::max(20.0, width() - 2 * margin) / width_mm,
                                           std::max(20.0, height() - 2 * margin) / height_mm);
-    const QSizeF size(width_mm * scale, height_mm * scale);
+    const QSizeF size(mm.x * scale, mm.y * scale);
     return {QPointF(0.5 * (width() - size.width()), 0.5 * (height() - size.height())) + pan_, size};
 }
 
-glm::dvec2 SliceView::toPicture(const QPointF& position) const {
+glm::dvec3 SliceView::toMm(const QPointF& position) const {
     const QRectF rect = pictureRect();
-    const glm::ivec3 size = volume_.geometry().size;
-    return {(position.x() - rect.left()) / rect.width() * size[plane_.u],
-            (position.y() - rect.top()) / rect.height() * size[plane_.v]};
+    return pose_.frame.to_mm({(position.x() - rect.left()) / rect.width() * pose_.frame.size.x,
+                              (position.y() - rect.top()) / rect.height() * pose_.frame.size.y});
 }
 
-QPointF SliceView::toWidget(const glm::dvec2& picture) const {
+QPointF SliceView::toWidget(const glm::dvec3& mm) const {
     const QRectF rect = pictureRect();
-    const glm::ivec3 size = volume_.geometry().size;
-    return {rect.left() + picture.x / size[plane_.u] * rect.width(),
-            rect.top() + picture.y / size[plane_.v] * rect.height()};
+    const glm::dvec2 picture = pose_.frame.to_picture(mm);
+    return {rect.left() + picture.x / pose_.frame.size.x * rect.width(),
+            rect.top() + picture.y / pose_.frame.size.y * rect.height()};
+}
+
+QPointF SliceView::directionInWidget(const glm::dvec3& direction) const {
+    return {glm::dot(direction, pose_.frame.right), glm::dot(direction, pose_.frame.down)};
 }
 
 void SliceView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), Qt::black);
     if (!volume_.empty()) {
-        if (image_.isNull()) image_ = slice_image(volume_, plane_, index(), window_, overlay_);
-        const QRectF target = pictureRect();
-        // Up close the voxels themselves are of interest, so they are not blurred away.
-        const bool close = target.width() / image_.width() > 12;
-        painter.setRenderHint(QPainter::SmoothPixmapTransform, !close);
-        painter.drawImage(target, image_);
+        const QImage& image = picture_->image();
+        if (!image.isNull() && picture_->frame().right == pose_.frame.right &&
+            picture_->frame().down == pose_.frame.down) {
+            const QPointF from = toWidget(picture_->frame().to_mm({0, 0}));
+            const QPointF to = toWidget(picture_->frame().to_mm(glm::dvec2(picture_->frame().size)));
+            // Up close the voxels themselves are of interest, so they are not blurred away.
+            const bool close = (to.x() - from.x()) / image.width() > 12;
+            painter.setRenderHint(QPainter::SmoothPixmapTransform, !close);
+            painter.drawImage(QRectF(from, to), image);
+        } else if (!image.isNull()) {
+            painter.drawImage(pictureRect(), image);  // of the plane before, until this one is sampled
+        }
         painter.setRenderHint(QPainter::Antialiasing);
         paintCuts(painter);
-        paintCrossHair(painter);
-        paintText(painter);
+        for (const SliceTool* tool : tools_) tool->paint(*this, painter);
+        if (notes_shown_) paintNotes(painter);
     }
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(QPen(hasFocus() ? theme::k_accent : theme::k_border, 1));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 
-void SliceView::paintCrossHair(QPainter& painter) const {
-    // The lines are where the two other views lie, in their colours; the middle stays free.
-    const auto color_of = [&](int axis) {
-        const std::array<int, 3> grid = closest_grid_axes(volume_.geometry());
-        if (axis == grid[2]) return theme::k_axial;
-        return axis == grid[1] ? theme::k_coronal : theme::k_sagittal;
-    };
-    const QRectF rect = pictureRect();
-    const QPointF at = toWidget(plane_.to_picture(glm::dvec3(voxel_), volume_.geometry().size));
-    const double gap = 7;
-    QColor vertical = color_of(plane_.u), horizontal = color_of(plane_.v);
-    vertical.setAlpha(190), horizontal.setAlpha(190);
-    painter.setPen(QPen(vertical, 1));
-    painter.drawLine(QPointF(at.x(), rect.top()), QPointF(at.x(), std::max(rect.top(), at.y() - gap)));
-    painter.drawLine(QPointF(at.x(), std::min(rect.bottom(), at.y() + gap)), QPointF(at.x(), rect.bottom()));
-    painter.setPen(QPen(horizontal, 1));
-    painter.drawLine(QPointF(rect.left(), at.y()), QPointF(std::max(rect.left(), at.x() - gap), at.y()));
-    painter.drawLine(QPointF(std::min(rect.right(), at.x() + gap), at.y()), QPointF(rect.right(), at.y()));
-}
-
 void SliceView::paintCuts(QPainter& painter) const {
-    const GridGeometry& geometry = volume_.geometry();
-    const glm::dvec3 corner[4] = {
-        plane_.to_voxel({0, 0}, index(), geometry.size),
-        plane_.to_voxel({geometry.size[plane_.u], 0}, index(), geometry.size),
-        plane_.to_voxel(glm::dvec2(geometry.size[plane_.u], geometry.size[plane_.v]), index(), geometry.size),
-        plane_.to_voxel({0, geometry.size[plane_.v]}, index(), geometry.size)};
+    const glm::dvec2 size(pose_.frame.size);
+    const glm::dvec3 corner[4] = {pose_.frame.to_mm({0, 0}), pose_.frame.to_mm({size.x, 0}), pose_.frame.to_mm(size),
+                                  pose_.frame.to_mm({0, size.y})};
     painter.setPen(QPen(theme::k_volume, 1, Qt::DashLine));
     for (const CuttingPlane& cut : cuts_) {
         std::vector<QPointF> ends;  // where the plane crosses the picture's border
         for (int i = 0; i < 4; ++i) {
-            const glm::dvec3 a = geometry.voxel_to_mm(corner[i]), b = geometry.voxel_to_mm(corner[(i + 1) % 4]);
+            const glm::dvec3 &a = corner[i], &b = corner[(i + 1) % 4];
             const double da = glm::dot(cut.normal, a) + cut.offset, db = glm::dot(cut.normal, b) + cut.offset;
             if ((da < 0) == (db < 0)) continue;
-            const glm::dvec3 voxel = glm::mix(corner[i], corner[(i + 1) % 4], da / (da - db));
-            ends.push_back(toWidget(plane_.to_picture(voxel, geometry.size)));
+            ends.push_back(toWidget(glm::mix(a, b, da / (da - db))));
         }
         if (ends.size() == 2) painter.drawLine(ends[0], ends[1]);
     }
 }
 
-void SliceView::paintText(QPainter& painter) const {
-    const auto text = [&](const QRect& where, int flags, const QString& words, const QColor& ink) {
-        painter.setPen(QColor(0, 0, 0, 200));
-        painter.drawText(where.translated(1, 1), flags, words);
-        painter.setPen(ink);
-        painter.drawText(where, flags, words);
-    };
-    QFont small = font();
-    small.setPointSizeF(font().pointSizeF() * 0.9);
-    const QRect inner = rect().adjusted(6, 4, -6, -4);
-    painter.setFont(small);
-    text(inner, Qt::AlignLeft | Qt::AlignTop, title_of(kind_), color());
-    text(inner, Qt::AlignLeft | Qt::AlignBottom, tr("%1 / %2").arg(index() + 1).arg(volume_.geometry().size[plane_.w]),
-         theme::k_text);
-    text(inner, Qt::AlignRight | Qt::AlignBottom,
-         tr("L %1  W %2").arg(0.5 * (window_.lo + window_.hi), 0, 'g', 5).arg(window_.width(), 0, 'g', 5),
-         theme::k_text);
-    QFont bold = font();
-    bold.setBold(true);
-    painter.setFont(bold);
-    const QColor ink(250, 225, 150);
-    text(inner, Qt::AlignLeft | Qt::AlignVCenter, QString(QLatin1Char(plane_.left)), ink);
-    text(inner, Qt::AlignRight | Qt::AlignVCenter, QString(QLatin1Char(plane_.right)), ink);
-    text(inner, Qt::AlignHCenter | Qt::AlignTop, QString(QLatin1Char(plane_.top)), ink);
-    text(inner, Qt::AlignHCenter | Qt::AlignBottom, QString(QLatin1Char(plane_.bottom)), ink);
+void SliceView::paintNotes(QPainter& painter) const {
+    SliceNotes notes;
+    notes.title = pose_.oblique ? tr("%1, tilted").arg(slice_title(kind_)) : slice_title(kind_);
+    notes.title_color = slice_color(kind_);
+    notes.patient = patient_;
+    notes.study = study_;
+    const Slab& slab = settings_.slab;
+    if (slab.thickness_mm > 0)
+        notes.position << (slab.mode == SlabMode::mip     ? tr("MIP of %1 mm")
+                           : slab.mode == SlabMode::minip ? tr("MinIP of %1 mm")
+                                                          : tr("Mean of %1 mm"))
+                              .arg(slab.thickness_mm, 0, 'g', 4);
+    notes.position << position_text(pose_.frame.to_mm({0, 0}), pose_.frame.normal());
+    if (!pose_.oblique) notes.position << tr("%1 / %2").arg(index() + 1).arg(volume_.geometry().size[pose_.plane.w]);
+    notes.grey << tr("Zoom %1 %").arg(100 * zoom_, 0, 'f', 0);
+    if (settings_.function == VoiFunction::sigmoid) notes.grey << tr("sigmoid");
+    notes.grey << tr("L %1  W %2").arg(0.5 * (window_.lo + window_.hi), 0, 'g', 5).arg(window_.width(), 0, 'g', 5);
+    paint_notes(painter, rect(), pose_, notes, pixelsPerMm());
 }
 
-void SliceView::moveCursorTo(const QPointF& position) {
+void SliceView::moveCursorTo(const glm::dvec3& mm) {
     const GridGeometry& geometry = volume_.geometry();
-    const glm::dvec3 voxel = plane_.to_voxel(toPicture(position), index(), geometry.size);
-    const glm::dvec3 inside = glm::clamp(glm::round(voxel), glm::dvec3(0), glm::dvec3(geometry.size - 1));
-    Q_EMIT cursorMoved(geometry.voxel_to_mm(inside));
+    glm::dvec3 voxel = geometry.mm_to_voxel(mm);
+    if (is_upright(settings_.tilt)) voxel = glm::round(voxel);
+    Q_EMIT cursorMoved(geometry.voxel_to_mm(glm::clamp(voxel, glm::dvec3(0), glm::dvec3(geometry.size - 1))));
 }
 
-void SliceView::moveCursorBy(int axis, int voxels) {
-    glm::ivec3 voxel = voxel_;
-    voxel[axis] = std::clamp(voxel[axis] + voxels, 0, volume_.geometry().size[axis] - 1);
-    Q_EMIT cursorMoved(volume_.geometry().voxel_to_mm(glm::dvec3(voxel)));
+void SliceView::moveCursorBy(int right, int down) {
+    const SliceFrame& frame = pose_.frame;
+    moveCursorTo(cursor_mm_ + frame.right * (right * frame.pixel_mm.x) + frame.down * (down * frame.pixel_mm.y));
 }
 
-void SliceView::turnPages(int pages) { moveCursorBy(plane_.w, pages); }
+void SliceView::turnPages(int pages) {
+    // Towards the end of the grid axis along the grid; along the normal where it is tilted.
+    const glm::dvec3 axis = volume_.geometry().direction[pose_.plane.w];
+    const double sign = glm::dot(axis, pose_.frame.normal()) < 0 ? -1 : 1;
+    moveCursorTo(cursor_mm_ + pose_.frame.normal() * (sign * pages * pose_.page_mm));
+}
 
 void SliceView::windowBy(double width_share, double level_share) {
-    const double width = std::max(window_.width() * std::exp(width_share), 1e-6);
+    // PS3.3 C.11.2.1.2.1: the width of LINEAR is 1 or more.
+    const double least = settings_.function == VoiFunction::linear ? 1 : 1e-6;
+    const double width = std::max(window_.width() * std::exp(width_share), least);
     const double level = 0.5 * (window_.lo + window_.hi) + level_share * window_.width();
     Q_EMIT windowEdited({level - 0.5 * width, level + 0.5 * width});
 }
@@ -238,7 +220,7 @@ void SliceView::zoomBy(double factor) {
 
 void SliceView::hover(const QPointF& position) {
     const glm::ivec3 size = volume_.geometry().size;
-    const glm::dvec3 voxel = glm::round(plane_.to_voxel(toPicture(position), index(), size));
+    const glm::dvec3 voxel = glm::round(volume_.geometry().mm_to_voxel(toMm(position)));
     for (int axis = 0; axis < 3; ++axis)
         if (!(voxel[axis] >= 0 && voxel[axis] <= size[axis] - 1)) {
             Q_EMIT left();
@@ -250,23 +232,36 @@ void SliceView::hover(const QPointF& position) {
 void SliceView::mousePressEvent(QMouseEvent* event) {
     if (volume_.empty()) return;
     drag_from_ = event->position();
-    if (event->button() == Qt::LeftButton) moveCursorTo(event->position());
+    tool_drag_ = std::any_of(tools_.begin(), tools_.end(), [&](SliceTool* tool) { return tool->press(*this, *event); });
+    if (!tool_drag_ && event->button() == Qt::LeftButton) moveCursorTo(toMm(event->position()));
 }
 
 void SliceView::mouseMoveEvent(QMouseEvent* event) {
     if (volume_.empty()) return;
     const QPointF moved = event->position() - drag_from_;
-    if (event->buttons() & Qt::LeftButton) moveCursorTo(event->position());
+    drag_from_ = event->position();
+    const bool taken =
+        std::any_of(tools_.begin(), tools_.end(), [&](SliceTool* tool) { return tool->move(*this, *event); });
+    if (!taken && !tool_drag_ && (event->buttons() & Qt::LeftButton)) moveCursorTo(toMm(event->position()));
     if (event->buttons() & Qt::MiddleButton) {
         pan_ += moved;
         update();
     }
     if (event->buttons() & Qt::RightButton) windowBy(moved.x() / 150, moved.y() / 300);
-    drag_from_ = event->position();
+    if (!taken && event->buttons() == Qt::NoButton) setCursor(Qt::CrossCursor);
     hover(event->position());
 }
 
+void SliceView::mouseReleaseEvent(QMouseEvent* event) {
+    if (volume_.empty()) return;
+    for (SliceTool* tool : tools_)
+        if (tool->release(*this, *event)) break;
+    if (event->buttons() == Qt::NoButton) tool_drag_ = false;
+}
+
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+    for (SliceTool* tool : tools_)
+        if (tool->doubleClick(*this, *event)) return;
     if (event->button() == Qt::LeftButton) Q_EMIT maximizeRequested();
 }
 
@@ -284,39 +279,49 @@ void SliceView::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
-void SliceView::keyPressEvent(QKeyEvent* event) {
-    if (volume_.empty()) return QWidget::keyPressEvent(event);
-    const bool shift = event->modifiers() & Qt::ShiftModifier;
-    switch (event->key()) {
+bool SliceView::handleKey(int key, bool shift) {
+    switch (key) {
         case Qt::Key_Left:
-            return shift ? windowBy(-0.08, 0) : moveCursorBy(plane_.u, plane_.flip_u ? 1 : -1);
+            return shift ? windowBy(-0.08, 0) : moveCursorBy(-1, 0), true;
         case Qt::Key_Right:
-            return shift ? windowBy(0.08, 0) : moveCursorBy(plane_.u, plane_.flip_u ? -1 : 1);
+            return shift ? windowBy(0.08, 0) : moveCursorBy(1, 0), true;
         case Qt::Key_Up:
-            return shift ? windowBy(0, -0.04) : moveCursorBy(plane_.v, plane_.flip_v ? 1 : -1);
+            return shift ? windowBy(0, -0.04) : moveCursorBy(0, -1), true;
         case Qt::Key_Down:
-            return shift ? windowBy(0, 0.04) : moveCursorBy(plane_.v, plane_.flip_v ? -1 : 1);
+            return shift ? windowBy(0, 0.04) : moveCursorBy(0, 1), true;
         case Qt::Key_PageUp:
-            return turnPages(1);
+            return turnPages(1), true;
         case Qt::Key_PageDown:
-            return turnPages(-1);
+            return turnPages(-1), true;
         case Qt::Key_Plus:
         case Qt::Key_Equal:
-            return zoomBy(1.2);
+            return zoomBy(1.2), true;
         case Qt::Key_Minus:
-            return zoomBy(1 / 1.2);
+            return zoomBy(1 / 1.2), true;
         case Qt::Key_Home:
-            return resetView();
+            return resetView(), true;
         case Qt::Key_Return:
         case Qt::Key_Enter:
             Q_EMIT maximizeRequested();
-            return;
+            return true;
         default:
-            QWidget::keyPressEvent(event);
+            return false;
     }
 }
 
-void SliceView::leaveEvent(QEvent*) { Q_EMIT left(); }
+void SliceView::keyPressEvent(QKeyEvent* event) {
+    if (volume_.empty()) return QWidget::keyPressEvent(event);
+    for (SliceTool* tool : tools_)
+        if (tool->key(*this, *event)) return;
+    if (!handleKey(event->key(), event->modifiers() & Qt::ShiftModifier)) QWidget::keyPressEvent(event);
+}
+
+void SliceView::leaveEvent(QEvent*) {
+    for (SliceTool* tool : tools_) tool->leave(*this);
+    update();
+    Q_EMIT left();
+}
+
 void SliceView::focusInEvent(QFocusEvent*) { update(); }
 void SliceView::focusOutEvent(QFocusEvent*) { update(); }
 

@@ -49,6 +49,9 @@ TEST(SettingsJson, NoMemberIsForgotten) {
     EXPECT_EQ(field_count<CuttingPlane>(), member_count<CuttingPlane>());
     EXPECT_EQ(field_count<CutSetting>(), member_count<CutSetting>());
     EXPECT_EQ(field_count<RangeSetting>(), member_count<RangeSetting>());
+    EXPECT_EQ(field_count<SliceSettings>(), member_count<SliceSettings>());
+    EXPECT_EQ(field_count<Slab>(), member_count<Slab>());
+    EXPECT_EQ(field_count<Measurement>(), member_count<Measurement>());
 }
 
 /// Settings in which nothing has its default.
@@ -71,6 +74,14 @@ ViewSettings unusual_settings(unsigned seed) {
     s.cuts = {{{{0.3, -0.4, 0.5}, number(random), false}, false}};
     s.window = {-3, number(random) + 1000};
     s.projection_window = {1, 2};
+    s.slices = {VoiFunction::sigmoid,
+                glm::angleAxis(number(random) / 400, glm::normalize(glm::dvec3(1, -2, 0.5))),
+                {7.5, SlabMode::minip},
+                0.125};
+    s.measurements = {
+        {1, MeasurementKind::distance, {{0.1, 2, number(random)}, {1, 2, 1.0 / 3}}, {1, 0, 0}, {0, 1, 0}},
+        {4000000000u, MeasurementKind::angle, {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}, {0, 0.6, 0.8}, {1, 0, 0}},
+        {3, MeasurementKind::ellipse, {{1, 2, 3}, {4, 5, 6}}, {0, 0, -1}, {0, 1, 0}}};
     s.color_by_tf = true;
     s.surface_color = {0.1, 0.2, 0.3};
     s.quality.step = 0.125;
@@ -108,6 +119,14 @@ TEST(SettingsJson, WhatCannotBeIsRefusedByName) {
     EXPECT_NE(complaint("{\"cuts\":[{\"plane\":{\"normal\":[0,0,0]}}]}").find("direction"), std::string::npos);
     EXPECT_NE(complaint("{\"cuts\":[{\"plane\":{\"normal\":[0,1]}}]}").find("cuts[0].plane.normal"), std::string::npos);
     EXPECT_NE(complaint("{\"iso\":1").find("cut short"), std::string::npos);
+    EXPECT_NE(complaint("{\"slices\":{\"tilt\":[0,0,0,2]}}").find("tilt"), std::string::npos);
+    EXPECT_NE(complaint("{\"slices\":{\"slab\":{\"thickness_mm\":-1}}}").find("thickness"), std::string::npos);
+    EXPECT_NE(complaint("{\"slices\":{\"slab\":{\"mode\":\"median\"}}}").find("slab mode"), std::string::npos);
+    EXPECT_NE(complaint("{\"slices\":{\"overlay_opacity\":\"nan\"}}").find("opacity"), std::string::npos);
+    EXPECT_NE(complaint("{\"measurements\":[{\"kind\":\"angle\",\"points_mm\":[[0,0,0],[1,0,0]]}]}").find("points"),
+              std::string::npos);
+    EXPECT_NE(complaint("{\"measurements\":[{\"points_mm\":[[0,0,0],[\"inf\",0,0]]}]}").find("position"),
+              std::string::npos);
 }
 
 class SessionFile : public testing::Test {

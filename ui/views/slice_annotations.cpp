@@ -1,0 +1,142 @@
+#include "ui/views/slice_annotations.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/theme.h"
+
+namespace lacuna::ui {
+
+namespace {
+
+const QColor k_side_ink(250, 225, 150);
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(SliceAnnotations)
+};
+
+QFont sized(const QFont& font, double factor, bool bold = false) {
+    QFont out = font;
+    out.setPointSizeF(font.pointSizeF() * factor);
+    out.setBold(bold);
+    return out;
+}
+
+/// Lines in a corner, from the edge inwards: as many as `most`, each cut to the width.
+void draw_lines(QPainter& painter, const QRect& inner, Qt::Alignment corner, const QStringList& lines, int most,
+                int first_line = 0) {
+    const QFontMetrics metrics(painter.font());
+    const bool at_foot = corner & Qt::AlignBottom;
+    const int count = std::min(int(lines.size()), most);
+    for (int i = 0; i < count; ++i) {
+        const int row = at_foot ? count - 1 - i : i + first_line;
+        const QRect where = at_foot ? inner.adjusted(0, 0, 0, -row * metrics.height())
+                                    : inner.adjusted(0, row * metrics.height(), 0, 0);
+        draw_words(painter, where, corner, metrics.elidedText(lines[i], Qt::ElideRight, inner.width() * 9 / 20),
+                   theme::k_text);
+    }
+}
+
+void paint_sides(QPainter& painter, const QRect& inner, const SlicePose& pose, int foot) {
+    const auto text = [](const std::string& letters) { return QString::fromStdString(letters); };
+    draw_words(painter, inner, Qt::AlignLeft | Qt::AlignVCenter, text(pose.left), k_side_ink);
+    draw_words(painter, inner, Qt::AlignRight | Qt::AlignVCenter, text(pose.right), k_side_ink);
+    draw_words(painter, inner, Qt::AlignHCenter | Qt::AlignTop, text(pose.top), k_side_ink);
+    draw_words(painter, inner.adjusted(0, 0, 0, -foot), Qt::AlignHCenter | Qt::AlignBottom, text(pose.bottom),
+               k_side_ink);
+}
+
+/// A bar with end ticks along the foot of the view; returns the height it takes.
+int paint_scale(QPainter& painter, const QRect& inner, double pixels_per_mm) {
+    if (inner.width() < 220 || inner.height() < 120) return 0;
+    const ScaleLength length = scale_length(0.22 * inner.width() / pixels_per_mm);
+    const double width = length.mm * pixels_per_mm, middle = inner.center().x(), y = inner.bottom() - 3.5;
+    const QFontMetrics metrics(painter.font());
+    for (const bool shadow : {true, false}) {
+        painter.setPen(QPen(shadow ? QColor(0, 0, 0, 200) : theme::k_text, 1.4));
+        const QPointF off = shadow ? QPointF(1, 1) : QPointF();
+        const QPointF a = QPointF(middle - 0.5 * width, y) + off, b = QPointF(middle + 0.5 * width, y) + off;
+        painter.drawLine(a, b);
+        for (const QPointF& end : {a, b}) painter.drawLine(end - QPointF(0, 4), end + QPointF(0, 3));
+    }
+    draw_words(painter, QRectF(middle - 60, y - 5 - metrics.height(), 120, metrics.height()), Qt::AlignCenter,
+               length.name, theme::k_text);
+    return metrics.height() + 10;
+}
+
+}  // namespace
+
+QString slice_title(SliceKind kind) {
+    switch (kind) {
+        case SliceKind::axial:
+            return Words::tr("Axial");
+        case SliceKind::coronal:
+            return Words::tr("Coronal");
+        case SliceKind::sagittal:
+            return Words::tr("Sagittal");
+    }
+    return {};
+}
+
+QColor slice_color(SliceKind kind) {
+    switch (kind) {
+        case SliceKind::axial:
+            return theme::k_axial;
+        case SliceKind::coronal:
+            return theme::k_coronal;
+        case SliceKind::sagittal:
+            return theme::k_sagittal;
+    }
+    return theme::k_text;
+}
+
+ScaleLength scale_length(double most_mm) {
+    if (!(most_mm > 0) || !std::isfinite(most_mm)) return {1, Words::tr("%1 mm").arg(1)};
+    const double power = std::pow(10.0, std::floor(std::log10(most_mm) + 1e-9));
+    double mm = power;
+    for (const double factor : {2.0, 5.0})
+        if (factor * power <= most_mm * (1 + 1e-9)) mm = factor * power;
+    const auto number = [](double value) { return QString::number(value, 'g', 6); };
+    if (mm >= 1000) return {mm, Words::tr("%1 m").arg(number(mm / 1000))};
+    if (mm >= 10) return {mm, Words::tr("%1 cm").arg(number(mm / 10))};
+    if (mm >= 0.1 * (1 - 1e-9)) return {mm, Words::tr("%1 mm").arg(number(mm))};
+    return {mm, Words::tr("%1 µm").arg(number(mm * 1000))};
+}
+
+QString position_text(const glm::dvec3& mm, const glm::dvec3& direction) {
+    static constexpr char k_letters[3][2] = {{'L', 'R'}, {'P', 'A'}, {'H', 'F'}};
+    int axis = 0;
+    for (int a = 1; a < 3; ++a)
+        if (std::abs(direction[a]) > std::abs(direction[axis])) axis = a;
+    const double along = glm::dot(mm, direction) * (direction[axis] < 0 ? -1 : 1);
+    return Words::tr("%1 %2 mm").arg(QLatin1Char(k_letters[axis][along < 0])).arg(std::abs(along), 0, 'f', 2);
+}
+
+void draw_words(QPainter& painter, const QRectF& where, int flags, const QString& words, const QColor& ink) {
+    painter.setPen(QColor(0, 0, 0, 200));
+    painter.drawText(where.translated(1, 1), flags, words);
+    painter.setPen(ink);
+    painter.drawText(where, flags, words);
+}
+
+void paint_notes(QPainter& painter, const QRect& view, const SlicePose& pose, const SliceNotes& notes,
+                 double pixels_per_mm) {
+    const QRect inner = view.adjusted(6, 4, -6, -4);
+    const QFont font = painter.font();
+    painter.setFont(sized(font, 0.9));
+    const int line = QFontMetrics(painter.font()).height();
+    // Half the height is for the picture's sides and the words at the foot.
+    const int most = std::max(0, inner.height() / 2 / line - 1);
+    draw_words(painter, inner, Qt::AlignLeft | Qt::AlignTop, notes.title, notes.title_color);
+    draw_lines(painter, inner, Qt::AlignLeft | Qt::AlignTop, notes.patient, most, 1);
+    draw_lines(painter, inner, Qt::AlignRight | Qt::AlignTop, notes.study, most);
+    draw_lines(painter, inner, Qt::AlignLeft | Qt::AlignBottom, notes.position, 3);
+    draw_lines(painter, inner, Qt::AlignRight | Qt::AlignBottom, notes.grey, 3);
+    const int foot = paint_scale(painter, inner, pixels_per_mm);
+    painter.setFont(sized(font, 1, true));
+    paint_sides(painter, inner, pose, foot);
+    painter.setFont(font);
+}
+
+}  // namespace lacuna::ui
