@@ -25,10 +25,10 @@ void check(const ViewSettings& settings, const std::string& where) {
             refuse("a cutting plane has no direction.");
     for (const double v : {settings.window.lo, settings.window.hi, settings.iso, settings.lmip_threshold})
         if (!std::isfinite(v)) refuse("a grey level is no number.");
-    check(settings.tf);
     if (const char* fault = fault_of(settings.slices); *fault) refuse(fault);
     for (const Measurement& m : settings.measurements)
         if (const char* fault = fault_of(m); *fault) refuse("measurement " + std::to_string(m.id) + ": " + fault);
+    check(settings.tf);
 }
 
 }  // namespace lacuna

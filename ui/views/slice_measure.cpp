@@ -144,7 +144,7 @@ QStringList SliceMeasure::words(const Measurement& m) const {
             break;
     }
     const RegionStatistics& s = statistics(m);
-    const QString area = tr("%1 mm², %n pixel(s)", nullptr, int(s.pixels)).arg(number(area_mm2(m)));
+    const QString area = tr("%1 mm² · %2 px").arg(number(area_mm2(m))).arg(s.pixels);
     if (s.pixels == 0) return {area};
     const QString unit = volume_.unit.empty() ? QString() : QLatin1Char(' ') + QString::fromStdString(volume_.unit);
     return {tr("Mean %1 ± %2%3").arg(number(s.mean), number(s.stddev), unit),
@@ -174,7 +174,8 @@ SliceMeasure::Hit SliceMeasure::hitAt(const SliceView& view, const QPointF& posi
 }
 
 void SliceMeasure::setPoint(SliceView& view, const glm::dvec3& mm, const QPointF& at) {
-    if (!draft_ || draft_->view != &view) {
+    // One begun in another view or on another page has no end here.
+    if (!draft_ || draft_->view != &view || !lies_in(draft_->measurement, view.pose().frame, 1e-6)) {
         Measurement m;
         m.id = next_measurement_id(all_);
         m.kind = *kind_;
@@ -244,7 +245,8 @@ bool SliceMeasure::move(SliceView& view, const QMouseEvent& event) {
         dragTo(view.toMm(event.position()));
         return true;
     }
-    if (draft_ && draft_->view == &view) {
+    if (draft_ && draft_->view == &view &&
+        std::abs(view.pose().frame.depth_mm(draft_->measurement.points_mm[0])) < 1e-6) {
         draft_->measurement.points_mm.back() = view.toMm(event.position());
         Q_EMIT repaintNeeded();
         return true;
@@ -343,7 +345,8 @@ void SliceMeasure::paint(const SliceView& view, QPainter& painter) const {
     if (volume_.empty()) return;
     for (const Measurement& m : all_)
         if (showsIn(m, view)) paintOne(m, view, painter, m.id == selected_);
-    if (draft_ && draft_->view == &view) paintOne(draft_->measurement, view, painter, true);
+    if (draft_ && draft_->view == &view && showsIn(draft_->measurement, view))
+        paintOne(draft_->measurement, view, painter, true);
 }
 
 }  // namespace lacuna::ui
