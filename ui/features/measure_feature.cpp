@@ -56,7 +56,7 @@ void MeasureFeature::buildMenu() {
     };
     add_kind(tr("&Cross-hair"), QStringLiteral("X"), std::nullopt);
     const QString texts[] = {tr("&Distance"), tr("A&ngle"), tr("&Rectangle"), tr("&Ellipse")};
-    const QString keys[] = {QStringLiteral("D"), QStringLiteral("N"), QStringLiteral("B"), QStringLiteral("E")};
+    const QString keys[] = {QStringLiteral("D"), QStringLiteral("N"), QStringLiteral("Q"), QStringLiteral("E")};
     for (std::size_t i = 0; i < std::size(k_kinds); ++i) add_kind(texts[i], keys[i], k_kinds[i]);
     kinds_->actions().front()->setChecked(true);
     menu->addSeparator();
