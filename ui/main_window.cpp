@@ -99,6 +99,8 @@ void MainWindow::buildFeatures() {
     measure_ = new MeasureFeature(*bench_);
     slices_ = new SlicesFeature(*bench_, slices_panel_);
     patient_ = new PatientFeature(*bench_);
+    connect(settings_, &SettingsFeature::preferencesChanged, patient_,
+            [this] { patient_->setHidden(preferences::hide_patient()); });
     tabifyDockWidget(regions_->dock(), inspection_->dock());
     tabifyDockWidget(inspection_->dock(), accuracy_->dock());
     tabifyDockWidget(accuracy_->dock(), measure_->dock());

@@ -6,6 +6,7 @@
 #include <QGuiApplication>
 
 #include "core/base/atomic_file.h"
+#include "ui/tool_bar.h"
 
 namespace lacuna::ui {
 
@@ -59,6 +60,7 @@ void MeasureFeature::buildMenu() {
     const QString keys[] = {QStringLiteral("D"), QStringLiteral("N"), QStringLiteral("Q"), QStringLiteral("E")};
     for (std::size_t i = 0; i < std::size(k_kinds); ++i) add_kind(texts[i], keys[i], k_kinds[i]);
     kinds_->actions().front()->setChecked(true);
+    offer_tool(kinds_->actions()[1], ToolGroup::tools, Icon::measure, tr("Distance"));
     menu->addSeparator();
     remove_ = bench_.addAlways(menu, tr("Re&move the measurement"), QKeySequence(Qt::Key_Delete), tool_,
                                &SliceMeasure::removeSelected);
