@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/accuracy/image_error.h"
+#include "core/accuracy/limits.h"
 
 namespace lacuna {
 
@@ -40,6 +41,7 @@ public:
     }
 
     PlannedPlan run() {
+        facts_ = measure_facts(scene_, {job_.stop});
         truth_.emplace(engine_.render(probe_, brute_.plan, {job_.stop}).frame, scene_.background);
         const Measured structure = best_structure(job_.part(0, 0.4));
         std::vector<Measured> trades = measure_trades(structure, job_.part(0.4, 0.7));
@@ -52,6 +54,14 @@ private:
         const std::string words = difference_in_words(plan, brute_);
         refused_.push_back(
             fmt::format("Refused {}{}{}: {}", name_of(plan.plan.structure), words.empty() ? "" : ", ", words, why));
+    }
+
+    /// A promise of an error is not given for a method that fails on the scene, whatever this view shows of it.
+    bool refused_by_failure(const ModePlan& plan) {
+        if (!budget_.error) return false;
+        const std::string why = refused_by_limits(facts_, scene_, plan.plan, brute_.plan, *budget_.error);
+        if (!why.empty()) refuse(plan, why);
+        return !why.empty();
     }
 
     /// Draws a picture warm; the error is against the truth given.
@@ -145,6 +155,7 @@ private:
         const double rays = double(probe_.size.x) * probe_.size.y;
         for (const ModePlan& plan : plans) {
             job.checkpoint(done++, plans.size());
+            if (refused_by_failure(plan)) continue;
             const auto made = probe(plan);
             if (!made) continue;
             if (!within_error(*made, k_probe_caution))
@@ -161,13 +172,14 @@ private:
     }
 
     /// Sparse casting depends on the pixels' size, so no smaller picture tells of it: it is judged whole.
-    void add_sparse(const Measured& exact, std::vector<Measured>& kept) const {
+    void add_sparse(const Measured& exact, std::vector<Measured>& kept) {
         const auto faster = [](const Measured& a, const Measured& b) { return a.ms < b.ms; };
         const Measured base = kept.empty() ? exact : *std::min_element(kept.begin(), kept.end(), faster);
         for (const int k : {2, 3}) {
             Measured sparse = base;
             sparse.plan.plan.sparse = k;
             if (budget_.error) sparse.plan.plan.sparse_gradient = std::max(0.002, 0.5 * *budget_.error / 255);
+            if (refused_by_failure(sparse.plan)) continue;
             sparse.ms = 0.7 * base.ms;  // first guesses: tried before its base, but behind what is more exact
             sparse.error += 10;
             kept.push_back(sparse);
@@ -225,6 +237,8 @@ private:
             "measured ({}).",
             name_of(made.plan.structure), words.empty() ? "" : ", ", words, measured.error, measured.ms, asked)};
         if (!meets) made.plan.why.push_back("No plan tried fits the time budget; this is the fastest.");
+        const std::string fails = refused_by_limits(facts_, scene_, made.plan, brute_.plan, 0);
+        if (!fails.empty()) made.plan.why.push_back("In other views than this " + fails);
         made.plan.why.insert(made.plan.why.end(), refused_.begin(), refused_.end());
         return made;
     }
@@ -236,6 +250,7 @@ private:
     ModePlan usual_, brute_;
     Scene probe_;
     double share_ = 1;  ///< of the view's rays in the probe picture
+    SceneFacts facts_;
     std::optional<TruePicture> truth_;
     std::vector<std::string> refused_;
 };

@@ -29,10 +29,11 @@ struct PlannedPlan {
 /// then, with the cheapest of them, the ways to trade error for time; both on a picture a quarter as wide and high,
 /// whose rays are a regular subset of the view's. What seems to fit is then drawn whole and held against the whole
 /// brute-force picture, and is taken only if it fits there: a promise about every pixel of this view, not about others.
-/// A structure whose build is not paid back within the expected frames is refused. With an error budget the cheapest
-/// plan that keeps it (brute force always does); with a time budget the most exact one that fits; with both the
-/// cheapest within the error, which meets the budget if it also fits the time. Cost: about two brute-force frames of
-/// the view and some small ones; structures are built as tried.
+/// A structure whose build is not paid back within the expected frames is refused, and with an error budget a method
+/// that is known to fail on such a scene (limits.h) more than brute force does, before it is tried. With an error
+/// budget the cheapest plan that keeps it (brute force always does); with a time budget the most exact one that fits;
+/// with both the cheapest within the error, which meets the budget if it also fits the time. Cost: about two
+/// brute-force frames of the view and some small ones; structures are built as tried.
 /// @throws Error(bad_usage) for a budget that is not above 0 (an error budget may be 0), for none, and for shear_warp;
 /// Error(cancelled)
 PlannedPlan choose_plan(Engine& engine, const Scene& scene, const Budget& budget, const JobContext& job = {});

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/names.h"
+#include "core/classify/opacity_peaks.h"
 
 namespace lacuna {
 
@@ -149,6 +150,12 @@ void add_method_reasons(Plan& plan, const Scene& scene) {
         add("Cubic: every cell the ray crosses is solved, so no wall is missed, whatever the step.");
     if (scene.mode == ViewMode::iso && plan.refine == Refinement::regula_falsi_plain)
         add("Plain regula falsi: stalls on convex stretches; regula-falsi does not.");
+    if (scene.mode == ViewMode::ea && plan.structure == Structure::octree && plan.homogeneity > 0) {
+        const auto peak = narrowest_peak(scene.classification);
+        if (peak && *peak < plan.homogeneity)
+            add("A peak of the transfer function is narrower than the threshold: homogeneous nodes may hide it; pc, acd "
+                "and eacd compare opacities.");
+    }
     if (plan.integration == Integration::preintegrated)
         add("Pre-integrated segments: a transfer function's peaks between two samples are not missed.");
     if (plan.sparse >= 2)

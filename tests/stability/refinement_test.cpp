@@ -119,5 +119,39 @@ TEST(Refinement, NewtonLeavesItsBracketWhereTheSignalIsFlatAndIsCaught) {
     EXPECT_LT(outline_error(head_on, Refinement::regula_falsi).first, 0.05) << "the guarded secant has no such trouble";
 }
 
+TEST(NearestSampler, StairsAreHalfADiagonalHighAdaptiveHasNone) {
+    static Engine engine(open_device());
+    Scene scene = scene_of(
+        sampled<std::uint16_t>(
+            centred({40, 40, 40}),
+            [](const glm::dvec3& mm) { return std::clamp(1000 * (14.2 - glm::length(mm)), -500.0, 500.0) + 500; }),
+        ViewMode::iso, 65);
+    scene.iso = 500;
+    scene.camera.azimuth_deg = 33;
+    scene.camera.elevation_deg = 21;
+    Plan plan = brute_force(0.5);
+    const Frame linear = engine.render(scene, plan).frame;
+    const auto worst_and_mean = [&](Sampler sampler) {
+        plan.sampler = sampler;
+        const Frame frame = engine.render(scene, plan).frame;
+        double worst = 0, sum = 0;
+        int count = 0;
+        for (std::size_t i = 0; i < frame.pixels(); ++i) {
+            // Where the surface is not steeper than 45 degrees: elsewhere a stair is met from its side.
+            const double slope = std::fabs(double(linear.depth_mm[i]) - 0.5 * scene.volume.geometry().diameter_mm());
+            if (!std::isfinite(linear.depth_mm[i]) || !std::isfinite(frame.depth_mm[i]) || slope < 10.1) continue;
+            const double off = std::fabs(double(frame.depth_mm[i]) - double(linear.depth_mm[i]));
+            worst = std::max(worst, off);
+            sum += off;
+            ++count;
+        }
+        return std::pair(worst, sum / count);
+    };
+    const auto [worst, mean] = worst_and_mean(Sampler::nearest);
+    EXPECT_GT(mean, 0.15) << "the failure";
+    EXPECT_LE(worst, 0.5 * std::sqrt(3.0) * std::sqrt(2.0) + 0.5) << "half a diagonal at 45 degrees, and the step";
+    EXPECT_EQ(worst_and_mean(Sampler::adaptive).first, 0);
+}
+
 }  // namespace
 }  // namespace lacuna

@@ -36,6 +36,14 @@ TEST(HomogeneousNodes, HideAPeakOfTheTransferFunctionUnlessOpacitiesAreCompared)
         plan.homogeneity = 0.02;  // of opacity and colour, not of values
         EXPECT_LE(worst_levels(on_device(scene, plan), plain), 6) << name_of(structure);
     }
+    plan = with_structure(Structure::octree);
+    plan.homogeneity = 1500;
+    add_method_reasons(plan, scene);
+    ASSERT_EQ(plan.why.size(), 1u) << "it is said";
+    plan.homogeneity = 50;
+    plan.why.clear();
+    add_method_reasons(plan, scene);
+    EXPECT_TRUE(plan.why.empty()) << "the peak is wider than that";
     // No threshold, no failure: what every structure does by default.
     for (const Structure structure : casting_structures())
         EXPECT_LE(worst_levels(on_device(scene, with_structure(structure)), plain), 1) << name_of(structure);
@@ -101,6 +109,28 @@ TEST(Peaks, SegmentTablesSmearWhatIsNarrowerThanTheirEntriesButKeepItsOpacity) {
     EXPECT_LT(std::fabs(double(on_device(scene, plan).color[24 * 48 + 24].a)), 0.2 * truth) << "points miss it";
     plan.integration = Integration::preintegrated;
     EXPECT_NEAR(double(on_device(scene, plan).color[24 * 48 + 24].a), truth, 0.2 * truth);
+}
+
+// Segments take the signal to be linear between two samples, points know the samples alone.
+TEST(Layers, AreLostBetweenSamplesByPointsAndBySegments) {
+    LACUNA_NEEDS_DEVICE();
+    const Volume volume =
+        sampled<std::uint16_t>(centred({33, 33, 33}), [](const glm::dvec3& mm) { return mm.y == 0 ? 10000 : 0; });
+    Scene scene = scene_of(volume, ViewMode::ea, 64);
+    scene.camera.fov_deg = 40;  // samples meet the layer at every phase
+    scene.camera.zoom = 2.5;    // and every ray crosses it
+    scene.classification.tf.points = {{5000, glm::dvec3(1), 0}, {10000, glm::dvec3(1), 0.9}};  // a voxel thick
+    const auto faintest = [&](double step, Integration integration) {
+        Plan plan = brute_force(step);
+        plan.integration = integration;
+        float least = 1;
+        for (const glm::vec4& c : on_device(scene, plan).color) least = std::min(least, c.a);
+        return least;
+    };
+    for (const Integration integration : {Integration::riemann, Integration::preintegrated}) {
+        EXPECT_LT(faintest(2, integration), 0.01) << name_of(integration) << ": the failure";
+        EXPECT_GT(faintest(0.5, integration), 0.1) << name_of(integration);
+    }
 }
 
 double middle_opacity(const Frame& frame) { return double(frame.color[frame.pixels() / 2].a); }
