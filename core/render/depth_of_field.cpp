@@ -74,7 +74,8 @@ struct Level {
 
 /// Running mean with the given half width (a fraction weighs the texels at both ends) over a line of n texels, `stride`
 /// apart, `lanes` of them side by side. Beyond the line's ends there is nothing.
-void box_line(const glm::vec4* in, glm::vec4* out, int n, std::size_t stride, int lanes, float half_width) {
+void box_line(const glm::vec4* in, glm::vec4* out, int n, std::size_t stride, int lanes,
+                                   float half_width) {
     const int half = int(half_width);
     const float part = half_width - float(half), per_count = 1 / (2 * half_width + 1);
     glm::vec4 sums[k_strip] = {};
@@ -100,17 +101,22 @@ using Levels = std::array<Level, k_levels>;
 /// Half the resolution, each level holding only pixels about as blurred as it is: a sharp pixel weighs nothing.
 void gather_row(const Frame& frame, const Circles& circles, int row, Levels& levels) {
     const int w = frame.size.x, h = frame.size.y;
-    for (int k = 0; k < k_levels; ++k) {
-        const float per_px = 1 / circles.level_px[std::size_t(k)];
-        glm::vec4* out = &levels[std::size_t(k)].texels[std::size_t(row) * std::size_t(levels[0].size.x)];
-        for (int y = 2 * row; y < std::min(h, 2 * row + 2); ++y)
-            for (int x = 0; x < w; ++x) {
-                const std::size_t i = std::size_t(y) * std::size_t(w) + std::size_t(x);
-                const float weight = std::clamp(2 * circles.radius_px[i] * per_px - 0.5f, 0.0f, 1.0f);
-                const glm::vec4& c = frame.color[i];
-                if (weight > 0 && std::isfinite(c.r + c.g + c.b + c.a)) out[x >> 1] += c * weight;
-            }
+    std::array<float, k_levels> per_px;
+    std::array<glm::vec4*, k_levels> out;
+    for (std::size_t k = 0; k < k_levels; ++k) {
+        per_px[k] = 1 / circles.level_px[k];
+        out[k] = &levels[k].texels[std::size_t(row) * std::size_t(levels[0].size.x)];
     }
+    for (int y = 2 * row; y < std::min(h, 2 * row + 2); ++y)
+        for (int x = 0; x < w; ++x) {
+            const std::size_t i = std::size_t(y) * std::size_t(w) + std::size_t(x);
+            const float radius = circles.radius_px[i];
+            if (!(radius > 0)) continue;
+            const glm::vec4 c = frame.color[i];
+            if (!std::isfinite(c.r + c.g + c.b + c.a)) continue;
+            for (std::size_t k = 0; k < k_levels; ++k)
+                out[k][x >> 1] += c * std::clamp(2 * radius * per_px[k] - 0.5f, 0.0f, 1.0f);
+        }
 }
 
 /// Two boxes one after the other each way: a tent whose half width is the level's radius.

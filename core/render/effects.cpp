@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/parallel.h"
+#include "core/base/vector_clones.h"
 #include "core/render/effect_passes.h"
 
 namespace lacuna {
@@ -59,9 +60,9 @@ constexpr int k_reach = 2;
 constexpr float k_tap[2 * k_reach + 1] = {0.5f, 1, 1, 1, 0.5f};  // over any 4 neighbours in a row: their mean
 
 /// One tap of the bilateral filter for a row of n pixels.
-void add_tap(const float* __restrict value, const float* __restrict height, const float* __restrict middle,
-             const float* __restrict scale, int n, float per_reach, float weight, float* __restrict sum,
-             float* __restrict weights) {
+LACUNA_VECTOR_CLONES void add_tap(const float* __restrict value, const float* __restrict height,
+                                  const float* __restrict middle, const float* __restrict scale, int n, float per_reach,
+                                  float weight, float* __restrict sum, float* __restrict weights) {
     for (int x = 0; x < n; ++x) {
         const float u = (height[x] - middle[x]) * scale[x] * per_reach;
         float w = 1 - u * u;
@@ -123,10 +124,8 @@ void darken(const std::vector<float>& occlusion, double strength, Frame& frame, 
     for_rows(frame.size.y, job, [&](int y) {
         std::size_t i = std::size_t(y) * std::size_t(frame.size.x);
         for (int x = 0; x < frame.size.x; ++x, ++i) {
-            if (occlusion[i] == 0) continue;
             const float light = std::max(0.0f, 1 - float(strength) * occlusion[i]);
-            glm::vec4& pixel = frame.color[i];
-            pixel = glm::vec4(pixel.r * light, pixel.g * light, pixel.b * light, pixel.a);
+            frame.color[i] *= glm::vec4(light, light, light, 1);  // by exactly 1 where nothing is occluded
         }
     });
 }

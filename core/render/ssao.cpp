@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/parallel.h"
+#include "core/base/vector_clones.h"
 #include "core/render/effect_passes.h"
 
 namespace lacuna::effects {
@@ -85,8 +86,9 @@ std::array<Pattern, k_patterns> make_patterns(double radius_px, double pixel_mm)
 
 /// Adds one pair's occlusion for n pixels: how much the two opposite slopes together rise above a plane (whose slopes
 /// cancel), each saturating as t/(1+|t|); samples higher than the radius above the pixel fade out (range check).
-void add_pair(const float* __restrict middle, const float* __restrict scale, const float* __restrict one,
-              const float* __restrict other, int n, float per_mm, float per_radius, float* __restrict sum) {
+LACUNA_VECTOR_CLONES void add_pair(const float* __restrict middle, const float* __restrict scale,
+                                   const float* __restrict one, const float* __restrict other, int n, float per_mm,
+                                   float per_radius, float* __restrict sum) {
     for (int i = 0; i < n; ++i) {
         const float a = (one[i] - middle[i]) * scale[i], b = (other[i] - middle[i]) * scale[i];
         const float slope_a = a * per_mm, slope_b = b * per_mm;
