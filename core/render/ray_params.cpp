@@ -6,7 +6,8 @@
 
 namespace lacuna {
 
-static_assert(LACUNA_MAX_CUTS == Scene::k_max_cuts && LACUNA_MAX_ROWS == Classification::k_max_ranges + 1);
+static_assert(LACUNA_MAX_CUTS == Scene::k_max_cuts && LACUNA_MAX_RANGES == Classification::k_max_ranges &&
+              LACUNA_MAX_ROWS == Classification::k_max_ranges + 1);
 
 namespace {
 

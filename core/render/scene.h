@@ -101,7 +101,7 @@ struct Scene {
     glm::dvec3 background{0.0};
     std::vector<Effect> effects;  ///< applied to the finished frame in this order, before highlights
 
-    static constexpr std::size_t k_max_cuts = 8;
+    static constexpr std::size_t k_max_cuts = 12;
 };
 
 /// Names as on the command line ("iso", "shear-warp", ...). parse_* throw Error(bad_usage) listing the known names.

@@ -110,6 +110,10 @@ Document make_document(std::string input, Volume volume, const JobContext& job) 
     settings.window = default_window(document.volume, *document.statistics);
     // PS3.3 C.11.2.1.3: LINEAR where a DICOM file says nothing else; read_screen_facts() tells what it says.
     if (document.volume.dicom) settings.slices.function = VoiFunction::linear;
+    for (const ViewMode mode : {ViewMode::iso, ViewMode::ea, ViewMode::mip, ViewMode::lmip, ViewMode::minip,
+                                ViewMode::mean, ViewMode::shear_warp})
+        if (mode != settings.mode)
+            settings.other_modes[mode] = {settings.shading, settings.quality, settings.projection_window, false, {}};
     document.home = home_camera(document.volume, *document.statistics);
     document.camera = document.home;
     const GridGeometry& geometry = document.volume.geometry();
@@ -138,6 +142,45 @@ void append_far_to_near(const std::vector<Highlight>& highlights, const Document
 
 }  // namespace
 
+void switch_mode(ViewSettings& settings, ViewMode mode) {
+    if (mode == settings.mode) return;
+    settings.other_modes[settings.mode] = {settings.shading, settings.quality, settings.projection_window,
+                                           settings.color_by_tf, settings.effects};
+    settings.mode = mode;
+    const auto own = settings.other_modes.find(mode);
+    if (own == settings.other_modes.end()) return;
+    settings.shading = own->second.shading;
+    settings.quality = own->second.quality;
+    settings.projection_window = own->second.projection_window;
+    settings.color_by_tf = own->second.color_by_tf;
+    settings.effects = std::move(own->second.effects);
+    settings.other_modes.erase(own);
+}
+
+std::vector<CuttingPlane> planes_of(const BoxRoi& roi, const GridGeometry& geometry) {
+    std::vector<CuttingPlane> planes;
+    if (!roi.enabled) return planes;
+    const glm::dvec3 cells(geometry.size);
+    const auto side = [&](int axis, double share, double inwards) {
+        const glm::dvec3 normal = inwards * geometry.direction[axis];
+        const glm::dvec3 corner = geometry.voxel_to_mm(share * cells - 0.5);
+        planes.push_back({normal, -glm::dot(normal, corner), roi.cap});
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        if (roi.lo[axis] > 0) side(axis, roi.lo[axis], 1);
+        if (roi.hi[axis] < 1) side(axis, roi.hi[axis], -1);
+    }
+    return planes;
+}
+
+std::vector<CuttingPlane> planes_of(const ViewSettings& settings, const GridGeometry& geometry) {
+    std::vector<CuttingPlane> planes;
+    for (const CutSetting& cut : settings.cuts)
+        if (cut.enabled) planes.push_back(cut.plane);
+    for (const CuttingPlane& side : planes_of(settings.roi, geometry)) planes.push_back(side);
+    return planes;
+}
+
 Scene scene_of(const Document& document) {
     const ViewSettings& settings = document.settings;
     Scene scene;
@@ -152,8 +195,7 @@ Scene scene_of(const Document& document) {
     scene.classification.tf = settings.tf;
     for (const RangeSetting& range : settings.ranges)
         if (range.enabled) scene.classification.ranges.push_back(range.range);
-    for (const CutSetting& cut : settings.cuts)
-        if (cut.enabled) scene.cuts.push_back(cut.plane);
+    scene.cuts = planes_of(settings, document.volume.geometry());
     for (const Effect& effect : settings.effects)
         if (serves(effect.kind, settings.mode)) scene.effects.push_back(effect);
     scene.camera = document.camera;
@@ -189,16 +231,30 @@ std::optional<Plan> asked_for(const Document& document, const Scene& scene) {
 
 }  // namespace
 
+std::string structure_refusal(Structure structure, const Scene& scene) {
+    Plan plan = default_plan(scene);
+    plan.structure = structure;
+    try {
+        check(plan, scene);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return {};
+}
+
 Plan plan_of(const Document& document, const Scene& scene) {
     if (std::optional<Plan> asked = asked_for(document, scene)) return *std::move(asked);
     Plan plan = default_plan(scene);
     const Quality& quality = document.settings.quality;
     plan.step = quality.step;
     plan.sampler = quality.sampler;
-    if (!quality.skip_empty && scene.mode != ViewMode::shear_warp) {
-        plan.structure = Structure::none;
-        plan.why.push_back("Empty space is not skipped, as asked.");
+    if (!quality.structure || *quality.structure == plan.structure) return plan;
+    if (const std::string refusal = structure_refusal(*quality.structure, scene); !refusal.empty()) {
+        plan.why.push_back(refusal);
+        return plan;
     }
+    plan.structure = *quality.structure;
+    plan.why.push_back("The structure '" + std::string(name_of(plan.structure)) + "', as asked.");
     return plan;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,10 +35,18 @@ struct CutSetting {
     friend bool operator==(const CutSetting&, const CutSetting&) = default;
 };
 
+/// A box of the volume along the grid's own axes; what lies outside is cut away.
+struct BoxRoi {
+    glm::dvec3 lo{0}, hi{1};  ///< shares of the box of voxel cells along each axis, 0 <= lo < hi <= 1
+    bool enabled = false;
+    bool cap = false;  ///< data values on the box's sides; else inner surfaces show
+    friend bool operator==(const BoxRoi&, const BoxRoi&) = default;
+};
+
 /// How carefully to draw.
 struct Quality {
-    double step = 0.5;       ///< in units of the smallest voxel spacing
-    bool skip_empty = true;  ///< let the default plan choose a structure; else none
+    double step = 0.5;                   ///< in units of the smallest voxel spacing
+    std::optional<Structure> structure;  ///< none: the default plan's; one that cannot serve the scene is as none
     Sampler sampler = Sampler::linear;
     /// The planner picks the rest so that no pixel is off by more than this from brute force at `step`, in 1/255.
     std::optional<double> error_budget = {};
@@ -49,6 +58,16 @@ struct Quality {
     friend bool operator==(const Quality&, const Quality&) = default;
 };
 
+/// What each view mode keeps for itself while another one is shown.
+struct ModeSettings {
+    Shading shading = Shading::phong;
+    Quality quality;
+    ValueRange projection_window;
+    bool color_by_tf = false;
+    std::vector<Effect> effects;
+    friend bool operator==(const ModeSettings&, const ModeSettings&) = default;
+};
+
 /// Everything undo brings back: how the volume is shown, but neither the camera nor the cross-hair nor results.
 struct ViewSettings {
     ViewMode mode = ViewMode::ea;
@@ -57,9 +76,10 @@ struct ViewSettings {
     Shading shading = Shading::phong;
     TransferFunction tf;
     std::vector<RangeSetting> ranges;  ///< at most Classification::k_max_ranges
-    std::vector<CutSetting> cuts;      ///< at most Scene::k_max_cuts
-    ValueRange window;                 ///< grey levels of the slices
-    ValueRange projection_window;      ///< grey levels of the projections and of cut faces
+    std::vector<CutSetting> cuts;      ///< at most k_max_planes
+    BoxRoi roi;
+    ValueRange window;             ///< grey levels of the slices
+    ValueRange projection_window;  ///< grey levels of the projections and of cut faces
     SliceSettings slices;
     std::vector<Measurement> measurements;
     bool color_by_tf = false;  ///< projections in the transfer function's colours
@@ -67,8 +87,14 @@ struct ViewSettings {
     Quality quality;
     std::vector<Effect>
         effects;  ///< on the 3D picture, in this order; those the mode has no use for are left out of it
+    std::map<ViewMode, ModeSettings> other_modes;  ///< of the modes not shown: see switch_mode()
     friend bool operator==(const ViewSettings&, const ViewSettings&) = default;
+    static constexpr std::size_t k_max_planes = 6;
 };
+
+/// Shows another mode: its own shading, quality, projection window and effects come back, those of the mode shown until
+/// now are kept for its return. A mode without any takes over those shown.
+void switch_mode(ViewSettings& settings, ViewMode mode);
 
 /// What a window shows: a volume, what is known of it, how it is seen, and what was found in it. A value; copies share
 /// the voxels and the results.
@@ -113,6 +139,15 @@ ValueRange default_window(const Volume& volume, const VolumeStatistics& statisti
 /// A front view that shows what is denser than Otsu's threshold as large as it fits from every side; the plain camera
 /// where that is the whole volume. Cost: at most 256^3 voxels are looked at.
 Camera home_camera(const Volume& volume, const VolumeStatistics& statistics);
+
+/// The planes that keep the box, a plane for each side that cuts something away; none while it is off.
+std::vector<CuttingPlane> planes_of(const BoxRoi& roi, const GridGeometry& geometry);
+
+/// What the enabled cuts and the box keep, as the renderers take it.
+std::vector<CuttingPlane> planes_of(const ViewSettings& settings, const GridGeometry& geometry);
+
+/// Why a structure cannot draw the scene, in one sentence; empty where it can.
+std::string structure_refusal(Structure structure, const Scene& scene);
 
 /// The document as a scene: disabled ranges and cuts left out, the selected region highlighted, perspective dropped
 /// where the mode cannot do it. The image size and background are left to the caller.

@@ -4,7 +4,8 @@
 
 #include "shared/base.h"
 
-#define LACUNA_MAX_CUTS 8
+#define LACUNA_MAX_CUTS 12       /* six planes and the six sides of a box */
+#define LACUNA_MAX_RANGES 8
 #define LACUNA_MAX_LEVELS 18    /* of a tree over up to 2^17 voxels an axis */
 #define LACUNA_MAX_ROWS 9        /* transfer-function rows: the scene's own, then one a segmentation range */
 
@@ -30,7 +31,7 @@ typedef struct {
     s_int cut_cap[LACUNA_MAX_CUTS];      // 1: grey values on the cut face
 
     s_int range_count;
-    s_float range[LACUNA_MAX_CUTS][2];   // closed value ranges that are visible; none: all values
+    s_float range[LACUNA_MAX_RANGES][2]; // closed value ranges that are visible; none: all values
     s_int lut_size;                      // entries a transfer-function row
     s_float lut_scale[LACUNA_MAX_ROWS], lut_lo[LACUNA_MAX_ROWS];   // entry = (value - lo)*scale, clamped
     s_float grad_scale[LACUNA_MAX_ROWS]; // gradient-opacity entry = magnitude*scale, clamped
@@ -59,6 +60,6 @@ typedef struct {
     s_int row_count;                         // transfer-function rows beyond the first: ranges, then region classes
     s_float leap_samples, leap_margin, leap_lo, leap_scale;
 } RayParams;
-SHARED_CHECK(RayParams, 836);
+SHARED_CHECK(RayParams, 916);
 
 #endif

@@ -18,14 +18,6 @@ glm::dvec3 normal_of(const CutPose& pose) {
 
 }  // namespace
 
-double half_extent_mm(const glm::dvec3& direction, const GridGeometry& geometry) {
-    double half = 0;
-    for (int axis = 0; axis < 3; ++axis)
-        half += 0.5 * std::abs(glm::dot(direction, geometry.direction[axis])) * geometry.size[axis] *
-                geometry.spacing[axis];
-    return half;
-}
-
 CutPose pose_of(const CuttingPlane& plane, const GridGeometry& geometry) {
     const double length = glm::length(plane.normal);
     const glm::dvec3 n = plane.normal / length;

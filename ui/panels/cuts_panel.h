@@ -6,7 +6,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "core/session/document.h"
+#include "core/session/cut_gizmo.h"
 #include "ui/widgets/value_slider.h"
 
 namespace lacuna::ui {
@@ -18,8 +18,6 @@ struct CutPose {
 };
 CutPose pose_of(const CuttingPlane& plane, const GridGeometry& geometry);
 CuttingPlane plane_of(const CutPose& pose, bool cap, const GridGeometry& geometry);
-/// Half the volume's extent along a direction, mm.
-double half_extent_mm(const glm::dvec3& direction, const GridGeometry& geometry);
 
 /// The list of cutting planes and the one being edited.
 class CutsPanel final : public QWidget {
