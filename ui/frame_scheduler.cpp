@@ -14,16 +14,14 @@ QString describe(const Scene& scene, const Plan& plan) {
         .arg(plan.step, 0, 'g', 3);
 }
 
-/// Effects that take longer than a coarse frame may.
-bool costly(const Effect& effect) {
-    return effect.kind == EffectKind::ao || effect.kind == EffectKind::ssao || effect.kind == EffectKind::dof;
-}
+/// Effects that take longer than a coarse frame may. The others take a few ms at full size, less at a coarse one's.
+bool costly(const Effect& effect) { return effect.kind == EffectKind::ao; }
 
 }  // namespace
 
 QImage to_image(const Frame& frame) {
     QImage image(frame.size.x, frame.size.y, QImage::Format_ARGB32_Premultiplied);
-    const auto level = [](float share) { return int(std::lround(255 * std::clamp(share, 0.0f, 1.0f))); };
+    const auto level = [](float share) { return share > 0 ? int(255 * std::min(share, 1.0f) + 0.5f) : 0; };
     for (int y = 0; y < frame.size.y; ++y) {
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(y));
         const glm::vec4* row = frame.color.data() + std::size_t(y) * std::size_t(frame.size.x);
@@ -107,13 +105,19 @@ void FrameScheduler::start(bool coarse) {
     changed_since_start_ = false;
     since_start_.start();
     const Task task{std::make_shared<const Scene>(std::move(scene)), std::move(plan), coarse, complete};
-    job_.start([engine = engine_, task](const JobContext& job) { return engine->render(*task.scene, task.plan, job); },
-               [this, task](Outcome<RenderResult> outcome) { finish(task, std::move(outcome)); },
-               [this](double share) { Q_EMIT progressed(share); });
+    job_.start(
+        [engine = engine_, task](const JobContext& job) {
+            DrawnFrame drawn;
+            drawn.frame = std::make_shared<const Frame>(engine->render(*task.scene, task.plan, job).frame);
+            drawn.image = to_image(*drawn.frame);
+            return drawn;
+        },
+        [this, task](Outcome<DrawnFrame> outcome) { finish(task, std::move(outcome)); },
+        [this](double share) { Q_EMIT progressed(share); });
     Q_EMIT busyChanged(true);
 }
 
-void FrameScheduler::finish(const Task& task, Outcome<RenderResult> outcome) {
+void FrameScheduler::finish(const Task& task, Outcome<DrawnFrame> outcome) {
     const bool coarse = task.coarse, complete = task.complete;
     coarse_running_ = false;
     if (const Error* error = std::get_if<Error>(&outcome)) {
@@ -122,21 +126,21 @@ void FrameScheduler::finish(const Task& task, Outcome<RenderResult> outcome) {
         if (error->code() != Errc::cancelled) Q_EMIT failed(QString::fromStdString(error->what()));
         return;
     }
-    RenderResult& result = std::get<RenderResult>(outcome);
+    const DrawnFrame& drawn = std::get<DrawnFrame>(outcome);
     // What a still picture's sampler or effects took says nothing of the coarse frames, which go without.
     const bool alike =
         scene_->mode != ViewMode::shear_warp && std::none_of(scene_->effects.begin(), scene_->effects.end(), costly);
-    if (coarse || alike) adapt(result);
+    if (coarse || alike) adapt(*drawn.frame);
     FrameFacts facts;
     facts.coarse = !complete;
-    facts.ms = result.frame.ms;
+    facts.ms = drawn.frame->ms;
     facts.device = QString::fromStdString(engine_->device_name());
     facts.plan = describe(*task.scene, task.plan);
     facts.bytes_held = engine_->bytes_held();
     facts.scene = task.scene;
     facts.drawn = task.plan;
-    facts.frame = std::make_shared<const Frame>(std::move(result.frame));
-    Q_EMIT frameReady(to_image(*facts.frame), facts);
+    facts.frame = drawn.frame;
+    Q_EMIT frameReady(drawn.image, facts);
     if (changed_since_start_) {
         start(true);
         return;
@@ -148,10 +152,10 @@ void FrameScheduler::finish(const Task& task, Outcome<RenderResult> outcome) {
         Q_EMIT busyChanged(busy());
 }
 
-void FrameScheduler::adapt(const RenderResult& result) {
-    if (size_.isEmpty() || result.frame.pixels() == 0) return;
+void FrameScheduler::adapt(const Frame& frame) {
+    if (size_.isEmpty() || frame.pixels() == 0) return;
     const double full_pixels = double(size_.width()) * size_.height();
-    const double full_ms = result.frame.ms * full_pixels / double(result.frame.pixels());
+    const double full_ms = frame.ms * full_pixels / double(frame.pixels());
     const double wanted = std::sqrt(std::max(full_ms, 0.01) / k_coarse_ms);
     const int divisor = std::clamp(int(std::ceil(wanted)), 1, 8);
     divisor_ = std::clamp(divisor, std::max(1, divisor_ - 1), 8);  // grow at once, shrink slowly

@@ -22,6 +22,12 @@ struct FrameFacts {
     std::shared_ptr<const Frame> frame;
 };
 
+/// A frame as it comes from the worker: ready to be shown.
+struct DrawnFrame {
+    std::shared_ptr<const Frame> frame;
+    QImage image;
+};
+
 /// Turns scenes into pictures off the UI thread: at once a coarse one, small and with long steps; a full one as soon as
 /// nothing has changed for a moment. A full frame is cancelled by any change; a coarse one is let finish, unless it
 /// turns out slow, so that a fast hand still sees pictures. How coarse follows from the frames measured before.
@@ -29,7 +35,7 @@ class FrameScheduler final : public QObject {
     Q_OBJECT
 public:
     static constexpr int k_still_ms = 120;       ///< after this long without a change the full frame starts
-    static constexpr double k_coarse_ms = 70;    ///< what a coarse frame may take
+    static constexpr double k_coarse_ms = 30;    ///< what a coarse frame may take, so that it is seen within 50 ms
     static constexpr qint64 k_give_up_ms = 300;  ///< a coarse frame slower than this makes way for the next
 
     explicit FrameScheduler(QObject* parent = nullptr);
@@ -62,8 +68,8 @@ private:
         Plan plan;
         bool coarse, complete;
     };
-    void finish(const Task& task, Outcome<RenderResult> outcome);
-    void adapt(const RenderResult& result);
+    void finish(const Task& task, Outcome<DrawnFrame> outcome);
+    void adapt(const Frame& frame);
 
     std::shared_ptr<Engine> engine_;
     std::shared_ptr<const Scene> scene_;
@@ -73,7 +79,7 @@ private:
     QElapsedTimer since_start_;
     bool coarse_running_ = false, changed_since_start_ = false;
     int divisor_ = 3;
-    LatestJob<RenderResult> job_;
+    LatestJob<DrawnFrame> job_;
 };
 
 /// A frame as a picture with transparency (sRGB, premultiplied).

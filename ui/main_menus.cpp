@@ -86,7 +86,7 @@ void MainWindow::buildViewMenu() {
         QAction* action =
             bench_->add(modes, mode_names()[i].name, QKeySequence(QString::number(i + 1)), this, [this, i] {
                 ViewSettings next = documents_->document().settings;
-                next.mode = mode_names()[i].mode;
+                switch_mode(next, mode_names()[i].mode);
                 documents_->edit(tr("View mode"), next);
             });
         action->setCheckable(true);
@@ -165,12 +165,6 @@ void MainWindow::buildToolsMenu() {
             ranges_panel_->addRange();
         });
     offer_tool(range, ToolGroup::tools, Icon::range, tr("Range"));
-    QAction* cut =
-        bench_->add(tools, tr("Add a &cutting plane"), QKeySequence(QStringLiteral("Ctrl+Alt+X")), this, [this] {
-            tabs_->setCurrentWidget(cuts_panel_);
-            cuts_panel_->addCut();
-        });
-    offer_tool(cut, ToolGroup::tools, Icon::cut, tr("Cut"));
 }
 
 void MainWindow::openFolder() {

@@ -88,6 +88,12 @@ void MainWindow::buildDocks() {
 void MainWindow::buildFeatures() {
     new ColoursFeature(*bench_, transfer_panel_, ranges_panel_, tabs_);
     new PresetsFeature(*bench_);
+    cuts_ = new CutFeature(*bench_, cuts_panel_);
+    connect(cuts_, &CutFeature::cutAdded, this, [this] { tabs_->setCurrentWidget(cuts_panel_); });
+    hand_ = new HandFeature(*bench_);
+    pick_ = new PickFeature(*bench_, cuts_);
+    connect(pick_, &PickFeature::readOut, this, &MainWindow::readOut);
+    connect(pick_, &PickFeature::readOutEnded, this, &MainWindow::readOutCursor);
     regions_ = new RegionsFeature(*bench_);
     inspection_ = new InspectionFeature(*bench_);
     session_ = new SessionFeature(*bench_, *inspection_);
@@ -208,6 +214,9 @@ void MainWindow::connectPanels() {
     connect(cuts_panel_, &CutsPanel::edited, this, [change](const QString& name, const std::vector<CutSetting>& cuts) {
         change(name, [&](ViewSettings& settings) { settings.cuts = cuts; });
     });
+    connect(cuts_panel_, &CutsPanel::boxEdited, this, [change](const QString& name, const BoxRoi& box) {
+        change(name, [&](ViewSettings& settings) { settings.roi = box; });
+    });
     connect(effects_panel_, &EffectsPanel::edited, this,
             [change](const QString& name, const std::vector<Effect>& effects) {
                 change(name, [&](ViewSettings& settings) { settings.effects = effects; });
@@ -269,12 +278,12 @@ void MainWindow::showDocument() {
 void MainWindow::showSettings() {
     const ViewSettings& settings = documents_->document().settings;
     render_panel_->setSettings(settings);
+    render_panel_->setScene(scene_of(documents_->document()));
     cuts_panel_->setCuts(settings.cuts);
+    cuts_panel_->setBox(settings.roi);
     slices_panel_->setSettings(settings);
     effects_panel_->setEffects(settings.effects, settings.mode);
-    std::vector<CuttingPlane> cuts;
-    for (const CutSetting& cut : settings.cuts)
-        if (cut.enabled) cuts.push_back(cut.plane);
+    const std::vector<CuttingPlane> cuts = planes_of(settings, documents_->document().volume.geometry());
     for (SliceView* slice : views_->slices()) {
         slice->setSettings(settings.window, settings.slices);
         slice->setCuts(cuts);
@@ -287,6 +296,7 @@ void MainWindow::showSettings() {
     const bool projection = settings.mode == ViewMode::mip || settings.mode == ViewMode::lmip ||
                             settings.mode == ViewMode::minip || settings.mode == ViewMode::mean;
     views_->volumeView()->setPlainBackground(projection);
+    views_->volumeView()->setOrthographic(settings.mode == ViewMode::shear_warp);
 }
 
 void MainWindow::showSelection() {

@@ -13,6 +13,9 @@
 #include "ui/features/layout_feature.h"
 #include "ui/features/measure_feature.h"
 #include "ui/features/patient_feature.h"
+#include "ui/features/cut_feature.h"
+#include "ui/features/hand_feature.h"
+#include "ui/features/pick_feature.h"
 #include "ui/features/regions_feature.h"
 #include "ui/features/session_feature.h"
 #include "ui/features/settings_feature.h"
@@ -49,6 +52,9 @@ public:
     MeasureFeature* measure() const { return measure_; }
     SlicesFeature* slices() const { return slices_; }
     PatientFeature* patient() const { return patient_; }
+    CutFeature* cuts() const { return cuts_; }
+    PickFeature* pick() const { return pick_; }
+    HandFeature* hand() const { return hand_; }
     FourUp* views() const { return views_; }
     LayoutFeature* layoutFeature() const { return layout_; }
     SettingsFeature* settingsFeature() const { return settings_; }
@@ -128,6 +134,9 @@ private:
     MeasureFeature* measure_ = nullptr;
     SlicesFeature* slices_ = nullptr;
     PatientFeature* patient_ = nullptr;
+    CutFeature* cuts_ = nullptr;
+    PickFeature* pick_ = nullptr;
+    HandFeature* hand_ = nullptr;
     QActionGroup* modes_ = nullptr;
     ViewSettings rendered_;  ///< the 3D picture is of these
     QTimer slow_frame_;      ///< a frame is only worth a progress bar when it takes its time

@@ -80,6 +80,9 @@ void forget_window() { QSettings().remove(QStringLiteral("window")); }
 QByteArray views_state() { return read("window/views", QByteArray()); }
 void set_views_state(const QByteArray& state) { keep("window/views", state); }
 
+bool free_rotation() { return read("view/free_rotation", false); }
+void set_free_rotation(bool free) { keep("view/free_rotation", free); }
+
 }  // namespace preferences
 
 void name_application(const QString& version) {

@@ -52,6 +52,10 @@ void forget_window();
 QByteArray views_state();
 void set_views_state(const QByteArray& state);
 
+/// Whether the 3D view turns freely as a ball, not as a turntable.
+bool free_rotation();
+void set_free_rotation(bool free);
+
 }  // namespace preferences
 
 /// Gives the program its name, under which QSettings keeps the preferences. Call it before any of the above.

@@ -14,7 +14,7 @@ ViewSettings with_preset(const ViewSettings& settings, const PresetFile& preset)
     if (!preset.technique) return next;
     const Technique& technique = *preset.technique;
     try {
-        if (!technique.mode.empty()) next.mode = parse_view_mode(technique.mode);
+        if (!technique.mode.empty()) switch_mode(next, parse_view_mode(technique.mode));
         if (!technique.shading.empty()) next.shading = parse_shading(technique.shading);
     } catch (const Error& fault) {
         throw Error(Errc::bad_input, "The preset \"" + preset.tf.name + "\" cannot be shown: " + fault.what());

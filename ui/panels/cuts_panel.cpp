@@ -1,6 +1,7 @@
 #include "ui/panels/cuts_panel.h"
 
 #include <QFormLayout>
+#include <QFrame>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -47,23 +48,13 @@ CutsPanel::CutsPanel(QWidget* parent)
       azimuth_(new ValueSlider(tr("Azimuth of the cut's normal"), this)),
       elevation_(new ValueSlider(tr("Elevation of the cut's normal"), this)),
       offset_(new ValueSlider(tr("Distance of the cut from the centre"), this)),
-      cap_(new QCheckBox(tr("Show data values on the cut face"), this)) {
+      cap_(new QCheckBox(tr("Show data values on the cut face"), this)),
+      box_(new BoxPanel(this)) {
     build();
     connect(add_, &QPushButton::clicked, this, &CutsPanel::addCut);
-    connect(remove_, &QPushButton::clicked, this, [this] {
-        if (current() < 0) return;
-        std::vector<CutSetting> next = cuts_;
-        next.erase(next.begin() + current());
-        Q_EMIT edited(tr("Remove a cut"), next);
-    });
-    connect(flip_, &QPushButton::clicked, this, [this] {
-        if (current() < 0) return;
-        CutPose pose = currentPose();
-        pose.azimuth_deg = std::remainder(pose.azimuth_deg + 180, 360.0);
-        pose.elevation_deg = -pose.elevation_deg;
-        pose.distance_mm = -pose.distance_mm;
-        editPose(tr("Flip a cut"), pose);
-    });
+    connect(remove_, &QPushButton::clicked, this, &CutsPanel::removeCurrent);
+    connect(flip_, &QPushButton::clicked, this, &CutsPanel::flipCurrent);
+    connect(box_, &BoxPanel::edited, this, &CutsPanel::boxEdited);
     connect(axes_[0], &QPushButton::clicked, this, [this] { setAxis(90, 0); });
     connect(axes_[1], &QPushButton::clicked, this, [this] { setAxis(180, 0); });
     connect(axes_[2], &QPushButton::clicked, this, [this] { setAxis(0, -90); });
@@ -84,7 +75,10 @@ CutsPanel::CutsPanel(QWidget* parent)
         next[std::size_t(current())].plane.cap = on;
         Q_EMIT edited(tr("Cut face"), next);
     });
-    connect(list_, &QListWidget::currentRowChanged, this, &CutsPanel::showCut);
+    connect(list_, &QListWidget::currentRowChanged, this, [this](int cut) {
+        showCut();
+        Q_EMIT currentChanged(cut);
+    });
     connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
         const std::size_t i = std::size_t(list_->row(item));
         if (i >= cuts_.size()) return;
@@ -127,11 +121,17 @@ void CutsPanel::build() {
     form->addRow(tr("Position"), offset_);
     form->addRow(cap_);
     column->addLayout(form);
+    auto* line = new QFrame(this);
+    line->setFrameShape(QFrame::HLine);
+    line->setFrameShadow(QFrame::Sunken);
+    column->addWidget(line);
+    column->addWidget(box_);
     column->addStretch(1);
 }
 
 void CutsPanel::setGeometry3d(const GridGeometry& geometry) {
     geometry_ = geometry;
+    box_->setGeometry3d(geometry);
     cuts_.clear();
     poses_.clear();
     setCuts({});
@@ -161,6 +161,27 @@ void CutsPanel::setCuts(const std::vector<CutSetting>& cuts) {
     const int last = int(cuts.size()) - 1;
     list_->setCurrentRow(grown ? last : std::min(std::max(before, 0), last));
     showCut();
+    if (current() != before) Q_EMIT currentChanged(current());
+}
+
+void CutsPanel::select(int cut) {
+    if (!cuts_.empty()) list_->setCurrentRow(int(std::size_t(std::max(cut, 0)) % cuts_.size()));
+}
+
+void CutsPanel::removeCurrent() {
+    if (current() < 0) return;
+    std::vector<CutSetting> next = cuts_;
+    next.erase(next.begin() + current());
+    Q_EMIT edited(tr("Remove a cut"), next);
+}
+
+void CutsPanel::flipCurrent() {
+    if (current() < 0) return;
+    CutPose pose = currentPose();
+    pose.azimuth_deg = std::remainder(pose.azimuth_deg + 180, 360.0);
+    pose.elevation_deg = -pose.elevation_deg;
+    pose.distance_mm = -pose.distance_mm;
+    editPose(tr("Flip a cut"), pose);
 }
 
 void CutsPanel::showCut() {

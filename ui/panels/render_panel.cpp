@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 
 #include "ui/language.h"
 
@@ -52,7 +53,7 @@ RenderPanel::RenderPanel(QWidget* parent)
       by_tf_(new QCheckBox(tr("Colours of the transfer function"), this)),
       shading_(new QComboBox(this)),
       quality_(new QComboBox(this)),
-      skip_(new QCheckBox(tr("Skip empty space"), this)) {
+      structure_(new QComboBox(this)) {
     buildRows();
     connectRows();
     showRelevantRows();
@@ -73,8 +74,11 @@ void RenderPanel::buildRows() {
     for (const QualityChoice& choice : k_qualities) quality_->addItem(tr(choice.name));
     quality_->setAccessibleName(tr("Quality"));
     quality_->setToolTip(tr("Distance between samples, in voxels, of the still picture"));
-    skip_->setAccessibleName(tr("Skip empty space"));
-    skip_->setToolTip(tr("Off: every sample is taken; the picture is the same, only slower"));
+    structure_->addItem(tr("Automatic"), -1);
+    for (const auto& [structure, name] : structure_names())
+        structure_->addItem(QString::fromUtf8(name.data(), qsizetype(name.size())), int(structure));
+    structure_->setAccessibleName(tr("Acceleration structure"));
+    structure_->setToolTip(tr("What lets rays jump over empty space; the picture is the same with each"));
     const auto row = [this](const QString& name, QWidget* field) {
         form_->addRow(name, field);
         if (QWidget* label = form_->labelForField(field)) label->setMinimumWidth(62);
@@ -85,7 +89,7 @@ void RenderPanel::buildRows() {
     row(QString(), by_tf_);
     row(tr("&Shading"), shading_);
     row(tr("&Quality"), quality_);
-    row(QString(), skip_);
+    row(tr("S&tructure"), structure_);
     static_cast<QLabel*>(form_->labelForField(iso_))->setBuddy(iso_->slider());
 }
 
@@ -98,7 +102,7 @@ void RenderPanel::edit(const QString& name, Change&& change) {
 
 void RenderPanel::connectRows() {
     connect(mode_, &QComboBox::currentIndexChanged, this, [this](int i) {
-        edit(tr("View mode"), [i](ViewSettings& s) { s.mode = mode_names()[std::size_t(i)].mode; });
+        edit(tr("View mode"), [i](ViewSettings& s) { switch_mode(s, mode_names()[std::size_t(i)].mode); });
     });
     connect(iso_, &ValueSlider::valueEdited, this,
             [this](double value) { edit(tr("Isovalue"), [value](ViewSettings& s) { s.iso = value; }); });
@@ -116,8 +120,12 @@ void RenderPanel::connectRows() {
             s.quality.plan.clear();
         });
     });
-    connect(skip_, &QCheckBox::toggled, this, [this](bool on) {
-        edit(tr("Empty-space skipping"), [on](ViewSettings& s) { s.quality.skip_empty = on; });
+    connect(structure_, &QComboBox::activated, this, [this](int i) {
+        const int chosen = structure_->itemData(i).toInt();
+        edit(tr("Structure"), [chosen](ViewSettings& s) {
+            s.quality.structure = chosen < 0 ? std::nullopt : std::optional(Structure(chosen));
+            s.quality.plan.clear();
+        });
     });
 }
 
@@ -131,7 +139,7 @@ void RenderPanel::setVolumeFacts(ValueRange values, const QString& unit) {
 void RenderPanel::setSettings(const ViewSettings& settings) {
     settings_ = settings;
     const QSignalBlocker blockers[] = {QSignalBlocker(mode_), QSignalBlocker(by_tf_), QSignalBlocker(shading_),
-                                       QSignalBlocker(quality_), QSignalBlocker(skip_)};
+                                       QSignalBlocker(quality_), QSignalBlocker(structure_)};
     for (std::size_t i = 0; i < mode_names().size(); ++i)
         if (mode_names()[i].mode == settings.mode) mode_->setCurrentIndex(int(i));
     iso_->setValue(settings.iso);
@@ -143,8 +151,24 @@ void RenderPanel::setSettings(const ViewSettings& settings) {
         if (k_qualities[i].step == settings.quality.step && k_qualities[i].sampler == settings.quality.sampler)
             chosen = i;
     quality_->setCurrentIndex(chosen);
-    skip_->setChecked(settings.quality.skip_empty);
+    structure_->setCurrentIndex(
+        structure_->findData(settings.quality.structure ? int(*settings.quality.structure) : -1));
     showRelevantRows();
+}
+
+void RenderPanel::setScene(const Scene& scene) {
+    auto* items = qobject_cast<QStandardItemModel*>(structure_->model());
+    const auto word = [](std::string_view name) { return QString::fromUtf8(name.data(), qsizetype(name.size())); };
+    Plan own = default_plan(scene);
+    structure_->setItemText(0, tr("Automatic (%1)").arg(word(name_of(own.structure))));
+    for (int i = 1; i < structure_->count(); ++i) {
+        const auto structure = Structure(structure_->itemData(i).toInt());
+        const QString refusal = QString::fromStdString(structure_refusal(structure, scene));
+        own.structure = structure;
+        const QString words = refusal.isEmpty() ? QString::fromStdString(gain_note(own, scene)) : refusal;
+        items->item(i)->setEnabled(refusal.isEmpty());
+        structure_->setItemData(i, words, Qt::ToolTipRole);
+    }
 }
 
 void RenderPanel::showRelevantRows() {
@@ -156,7 +180,7 @@ void RenderPanel::showRelevantRows() {
     form_->setRowVisible(lmip_, mode == ViewMode::lmip);
     form_->setRowVisible(by_tf_, projection);
     form_->setRowVisible(shading_, !projection);
-    form_->setRowVisible(skip_, mode != ViewMode::shear_warp);
+    form_->setRowVisible(structure_, mode != ViewMode::shear_warp);
 }
 
 }  // namespace lacuna::ui

@@ -17,10 +17,13 @@ public:
     explicit RenderPanel(QWidget* parent = nullptr);
     void setVolumeFacts(lacuna::ValueRange values, const QString& unit);
     void setSettings(const lacuna::ViewSettings& settings);
+    /// Says which structures can draw the scene, and why the others cannot.
+    void setScene(const lacuna::Scene& scene);
     QComboBox* modeBox() const { return mode_; }
     ValueSlider* isoSlider() const { return iso_; }
     /// Puts a panel of its own below the rows.
     void append(QWidget* panel) { form_->addRow(panel); }
+    QComboBox* structureBox() const { return structure_; }
 
 Q_SIGNALS:
     void edited(const QString& name, const lacuna::ViewSettings& next);
@@ -40,7 +43,7 @@ private:
     QCheckBox* by_tf_;
     QComboBox* shading_;
     QComboBox* quality_;
-    QCheckBox* skip_;
+    QComboBox* structure_;
 };
 
 /// The view modes in the order of their keys 1 to 7, with a name for people.

@@ -1,5 +1,7 @@
 #include "ui/views/volume_view.h"
 
+#include <QApplication>
+#include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -18,6 +20,7 @@ constexpr double k_degrees_per_pixel = 0.4, k_degrees_per_key = 5, k_pixels_per_
 VolumeView::VolumeView(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(120, 100);
+    setMouseTracking(true);
     setAccessibleName(tr("3D view"));
     setAccessibleDescription(
         tr("Arrow keys turn the volume, Shift and arrow keys move it, plus and minus zoom, Home resets; A, P, L, R, H "
@@ -56,6 +59,17 @@ void VolumeView::setPlainBackground(bool plain) {
     update();
 }
 
+void VolumeView::setOrthographic(bool always) {
+    orthographic_ = always;
+    update();
+}
+
+ViewRays VolumeView::rays() const {
+    Camera camera = camera_;
+    if (orthographic_) camera.fov_deg.reset();
+    return resolve(camera, *geometry_, {std::max(1, width()), std::max(1, height())});
+}
+
 void VolumeView::clear() {
     geometry_.reset();
     image_ = {};
@@ -79,7 +93,7 @@ void VolumeView::rotate(double azimuth_deg, double elevation_deg, double roll_de
 
 void VolumeView::pan(double right_px, double down_px) {
     if (!geometry_) return;
-    const ViewRays rays = resolve(camera_, *geometry_, {std::max(1, width()), std::max(1, height())});
+    const ViewRays rays = this->rays();
     Camera camera = camera_;
     camera.center_mm = rays.target - rays.right * (right_px * rays.pixel_mm) + rays.up * (down_px * rays.pixel_mm);
     edit(camera);
@@ -120,6 +134,8 @@ void VolumeView::paintEvent(QPaintEvent*) {
         painter.drawImage(QRectF(rect()), image_);
     }
     painter.setRenderHint(QPainter::Antialiasing);
+    if (geometry_)
+        for (const ViewTool* tool : tools_) tool->paint(painter, rays());
     QFont small = font();
     small.setPointSizeF(font().pointSizeF() * 0.9);
     painter.setFont(small);
@@ -160,14 +176,65 @@ void VolumeView::paintAxes(QPainter& painter) const {
 
 void VolumeView::resizeEvent(QResizeEvent*) { Q_EMIT resized(pixelSize()); }
 
-void VolumeView::mousePressEvent(QMouseEvent* event) { drag_from_ = event->position(); }
+glm::dvec2 VolumeView::onBall(const QPointF& at) const {
+    const double radius = 0.5 * std::max(1, std::min(width(), height()));
+    return {(at.x() - 0.5 * width()) / radius, (0.5 * height() - at.y()) / radius};
+}
+
+void VolumeView::mousePressEvent(QMouseEvent* event) {
+    press_at_ = drag_from_ = event->position();
+    dragged_ = false;
+    arcball_.reset();
+    if (!geometry_ || active_) return;
+    for (auto tool = tools_.rbegin(); tool != tools_.rend() && !active_; ++tool)
+        if ((*tool)->press(rays(), *event)) active_ = *tool;
+    if (!active_ && free_rotation_ && event->button() == Qt::LeftButton)
+        arcball_.emplace(camera_, onBall(event->position()));
+}
+
+void VolumeView::mouseReleaseEvent(QMouseEvent* event) {
+    if (active_) {
+        if (event->buttons() != Qt::NoButton) return;
+        std::exchange(active_, nullptr)->release();
+        return;
+    }
+    if (std::exchange(dragged_, true) || !geometry_) return;
+    if (event->button() == Qt::LeftButton) Q_EMIT clicked(event->position(), event->modifiers());
+    if (event->button() == Qt::RightButton) Q_EMIT menuRequested(event->position());
+}
+
+void VolumeView::contextMenuEvent(QContextMenuEvent* event) {
+    // By mouse the menu comes when the button goes up again: until then it may be a drag.
+    if (event->reason() == QContextMenuEvent::Keyboard && geometry_) Q_EMIT menuRequested(QRectF(rect()).center());
+    event->accept();
+}
+
+void VolumeView::hover(const QMouseEvent& event) {
+    bool on_handle = false;
+    for (auto tool = tools_.rbegin(); tool != tools_.rend(); ++tool)
+        on_handle = (*tool)->hover(rays(), event) || on_handle;
+    on_handle ? setCursor(Qt::PointingHandCursor) : unsetCursor();
+    Q_EMIT hovered(event.position(), event.modifiers());
+}
+
+void VolumeView::leaveEvent(QEvent*) {
+    for (ViewTool* tool : tools_) tool->leave();
+    Q_EMIT left();
+}
 
 void VolumeView::mouseMoveEvent(QMouseEvent* event) {
+    if (!geometry_) return;
+    if (active_) return active_->drag(rays(), *event);
+    if (event->buttons() == Qt::NoButton) return hover(*event);
+    if (!dragged_ && (event->position() - press_at_).manhattanLength() < QApplication::startDragDistance()) return;
+    dragged_ = true;
     const QPointF moved = event->position() - drag_from_;
     drag_from_ = event->position();
     const bool shift = event->modifiers() & Qt::ShiftModifier;
     if ((event->buttons() & Qt::MiddleButton) || ((event->buttons() & Qt::LeftButton) && shift))
         pan(moved.x(), moved.y());
+    else if (arcball_ && (event->buttons() & Qt::LeftButton))
+        edit(arcball_->to(onBall(event->position())));
     else if (event->buttons() & Qt::LeftButton)
         rotate(-moved.x() * k_degrees_per_pixel, moved.y() * k_degrees_per_pixel);
     else if (event->buttons() & Qt::RightButton)
@@ -175,6 +242,7 @@ void VolumeView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void VolumeView::mouseDoubleClickEvent(QMouseEvent* event) {
+    dragged_ = true;
     if (event->button() == Qt::LeftButton) Q_EMIT maximizeRequested();
 }
 

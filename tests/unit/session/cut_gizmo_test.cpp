@@ -95,7 +95,6 @@ TEST(Section, APlaneBesideTheVolumeHasNone) {
 }
 
 TEST(PlaneEdit, FlippingKeepsTheOtherHalfAndTwiceIsNothing) {
-    const GridGeometry geometry = grid();
     const CuttingPlane plane{{0.3, -2, 0.7}, 4, false};
     const CuttingPlane other = flipped(plane);
     EXPECT_DOUBLE_EQ(signed_distance(other, {5, 6, 7}), -signed_distance(plane, {5, 6, 7}));

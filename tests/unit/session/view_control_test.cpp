@@ -138,16 +138,16 @@ TEST(Pick, ThePointShownIsOnTheSurface) {
             document.settings.tf.points = {clear, dense};
             Scene scene = scene_of(document);
             scene.size = {41, 33};
-            Frame frame = render_reference(scene, plan_of(document, scene));
-            const DepthPicture picture = depth_picture(scene, frame);
-            const auto middle = point_at(picture, {20.5 / 41, 16.5 / 33});
+            const Frame frame = render_reference(scene, plan_of(document, scene));
+            const auto middle = point_at(frame, scene, {20.5 / 41, 16.5 / 33});
             ASSERT_TRUE(middle) << name_of(mode);
             // The ball's value falls from 1000 at 9 mm to 0 at 10 mm.
             EXPECT_NEAR(glm::length(*middle - centre), mode == ViewMode::mip ? 8.9 : 9.5, 0.8) << name_of(mode);
-            EXPECT_LT(glm::dot(*middle - centre, picture.rays.forward), 0) << "the near side";
-            EXPECT_FALSE(point_at(picture, {0.5 / 41, 0.5 / 33}).has_value() && mode != ViewMode::mip);
+            EXPECT_LT(glm::dot(*middle - centre, resolve(scene.camera, scene.volume.geometry(), scene.size).forward), 0)
+                << "the near side";
+            EXPECT_FALSE(point_at(frame, scene, {0.5 / 41, 0.5 / 33}).has_value() && mode != ViewMode::mip);
             for (const glm::dvec2 outside : {glm::dvec2(-0.01, 0.5), glm::dvec2(0.5, 1), glm::dvec2(std::nan(""), 0)})
-                EXPECT_FALSE(point_at(picture, outside));
+                EXPECT_FALSE(point_at(frame, scene, outside));
         }
 }
 
