@@ -20,7 +20,8 @@ namespace lacuna {
 ///     template <class Archive> void fields(Archive& archive, Struct& value)
 /// (found by argument-dependent lookup) that calls archive("key", value.member) for every member; FieldWriter and
 /// FieldReader run it either way. Numbers that are not finite become the texts "nan", "inf" and "-inf", which JSON has
-/// no numbers for. Enumerations give their words by `std::string_view name_of(E)` and `E word_to(std::string_view, E)`.
+/// no numbers for. A map keyed by an enumeration is an object. Enumerations give their words by `std::string_view
+/// name_of(E)` and `E word_to(std::string_view, E)`.
 using Json = nlohmann::ordered_json;
 
 /// @throws Error(bad_input) naming `where` for a text that is no JSON
@@ -57,6 +58,8 @@ public:
                                value[0];
                            })
             return write_vector(value);
+        else if constexpr (requires { typename T::mapped_type; })
+            return write_map(value);
         else if constexpr (requires { value.begin(); })
             return write_list(value);
         else {
@@ -78,6 +81,12 @@ private:
         Json list = Json::array();
         for (const auto& item : value) list.push_back(write(item));
         return list;
+    }
+    template <class M>
+    static Json write_map(const M& value) {
+        Json object = Json::object();
+        for (const auto& [key, item] : value) object[std::string(name_of(key))] = write(item);
+        return object;
     }
     Json json_ = Json::object();
 };
@@ -135,6 +144,8 @@ public:
                                  value[0];
                              })
             read_vector(json, value, where);
+        else if constexpr (requires { typename T::mapped_type; })
+            read_map(json, value, where);
         else if constexpr (requires { value.resize(0); })
             read_list(json, value, where);
         else if constexpr (requires { value.begin(); })
@@ -188,6 +199,17 @@ private:
             typename L::value_type item{};
             read(json[i], item, where + "[" + std::to_string(i) + "]");
             value.push_back(std::move(item));
+        }
+    }
+    /// Of an enumeration's words.
+    template <class M>
+    static void read_map(const Json& json, M& value, const std::string& where) {
+        if (!json.is_object()) refuse(where, "an object");
+        value.clear();
+        for (const auto& [word, item] : json.items()) {
+            typename M::key_type key{};
+            read(Json(word), key, where);
+            read(item, value[key], where + "." + word);
         }
     }
     template <class A>

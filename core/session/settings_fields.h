@@ -9,6 +9,7 @@ namespace lacuna {
 
 inline ViewMode word_to(std::string_view text, ViewMode) { return parse_view_mode(text); }
 inline Shading word_to(std::string_view text, Shading) { return parse_shading(text); }
+inline Structure word_to(std::string_view text, Structure) { return parse_structure(text); }
 inline Sampler word_to(std::string_view text, Sampler) { return parse_sampler(text); }
 
 inline VoiFunction word_to(std::string_view text, VoiFunction) { return parse_voi_function(text); }
@@ -51,7 +52,7 @@ void fields(Archive& archive, CutSetting& setting) {
 template <class Archive>
 void fields(Archive& archive, Quality& quality) {
     archive("step", quality.step);
-    archive("skip_empty", quality.skip_empty);
+    archive("structure", quality.structure);
     archive("sampler", quality.sampler);
     archive("error_budget", quality.error_budget);
     archive("time_budget_ms", quality.time_budget_ms);
@@ -82,6 +83,23 @@ void fields(Archive& archive, Measurement& measurement) {
 }
 
 template <class Archive>
+void fields(Archive& archive, BoxRoi& box) {
+    archive("lo", box.lo);
+    archive("hi", box.hi);
+    archive("enabled", box.enabled);
+    archive("cap", box.cap);
+}
+
+template <class Archive>
+void fields(Archive& archive, ModeSettings& settings) {
+    archive("shading", settings.shading);
+    archive("quality", settings.quality);
+    archive("projection_window", settings.projection_window);
+    archive("color_by_tf", settings.color_by_tf);
+    archive("effects", settings.effects);
+}
+
+template <class Archive>
 void fields(Archive& archive, ViewSettings& settings) {
     archive("mode", settings.mode);
     archive("iso", settings.iso);
@@ -90,6 +108,7 @@ void fields(Archive& archive, ViewSettings& settings) {
     archive("tf", settings.tf);
     archive("ranges", settings.ranges);
     archive("cuts", settings.cuts);
+    archive("roi", settings.roi);
     archive("window", settings.window);
     archive("projection_window", settings.projection_window);
     archive("slices", settings.slices);
@@ -98,6 +117,7 @@ void fields(Archive& archive, ViewSettings& settings) {
     archive("surface_color", settings.surface_color);
     archive("quality", settings.quality);
     archive("effects", settings.effects);
+    archive("other_modes", settings.other_modes);
 }
 
 template <class Archive>

@@ -1,6 +1,7 @@
 // How soon the window answers the hand: from a mouse move over the 3D view to the first picture painted, and how often
-// pictures come while the mouse goes on; mode by mode, on the device found.
-//   bench_interaction INPUT [ROUNDS [WIDTHxHEIGHT [effects|cut]]]      default sample:head@256 9 700x560
+// pictures come while the mouse goes on; mode by mode, on the device found. The hand turns the volume (with all effects
+// on), drags a cutting plane, or the levels.
+//   bench_interaction INPUT [ROUNDS [WIDTHxHEIGHT [turn|effects|cut|levels]]]      default sample:head@256 9 700x560
 #include <fmt/format.h>
 
 #include <QApplication>
@@ -42,19 +43,27 @@ double median(std::vector<double> values) {
 struct Hand {
     MainWindow& window;
     VolumeView* view = window.views()->volumeView();
+    Qt::MouseButton button = Qt::LeftButton;
+    Qt::KeyboardModifiers modifiers = Qt::NoModifier;
 
     void settle() const {
         (void)QTest::qWaitFor(
             [this] { return !window.scheduler()->busy() && view->image().size() == view->pixelSize(); }, k_patience_ms);
     }
     void move(const QPoint& to) const {
-        QMouseEvent event(QEvent::MouseMove, to, view->mapToGlobal(to), Qt::NoButton, Qt::LeftButton, {});
+        QMouseEvent event(QEvent::MouseMove, to, view->mapToGlobal(to), Qt::NoButton, button, modifiers);
         QApplication::sendEvent(view, &event);
+    }
+    /// Handles are where they were for the next gesture.
+    void takeBack() const {
+        const EditHistory& history = window.documents()->history();
+        const std::string name = history.undo_name();
+        if (name == "Move a cut" || name == "Levels") window.documents()->undo();
     }
     /// Milliseconds from a first move to the first picture on the widget; drawn: until it came from the worker.
     double firstPicture(const QPoint& from, double& drawn) const {
         settle();
-        QTest::mousePress(view, Qt::LeftButton, {}, from);
+        QTest::mousePress(view, button, modifiers, from);
         bool came = false;
         PaintClock clock;
         QElapsedTimer watch;
@@ -71,7 +80,8 @@ struct Hand {
             QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 1);
         const double ms = double(watch.nsecsElapsed()) * 1e-6;
         QObject::disconnect(listen);
-        QTest::mouseRelease(view, Qt::LeftButton, {}, from);
+        QTest::mouseRelease(view, button, modifiers, from);
+        takeBack();
         return ms;
     }
     /// Pictures a second during a second of moves every 8 ms; longest: the longest the event loop did not turn.
@@ -80,7 +90,7 @@ struct Hand {
         int pictures = 0;
         const auto listen = QObject::connect(window.scheduler(), &FrameScheduler::frameReady, view,
                                              [&](const QImage&, const FrameFacts&) { ++pictures; });
-        QTest::mousePress(view, Qt::LeftButton, {}, from);
+        QTest::mousePress(view, button, modifiers, from);
         QElapsedTimer whole, turn;
         whole.start();
         longest = 0;
@@ -92,8 +102,9 @@ struct Hand {
             QTest::qWait(8);
         }
         const double seconds = double(whole.elapsed()) / 1000;
-        QTest::mouseRelease(view, Qt::LeftButton, {}, from);
+        QTest::mouseRelease(view, button, modifiers, from);
         QObject::disconnect(listen);
+        takeBack();
         return pictures / seconds;
     }
 };
@@ -110,7 +121,7 @@ int main(int argc, char** argv) {
     const QString input = argc > 1 ? QString::fromLocal8Bit(argv[1]) : QStringLiteral("sample:head@256");
     const int rounds = argc > 2 ? std::max(1, std::atoi(argv[2])) : 9;
     const QStringList size = QString::fromLocal8Bit(argc > 3 ? argv[3] : "700x560").split(QLatin1Char('x'));
-    const std::string extra = argc > 4 ? argv[4] : "";
+    const std::string extra = argc > 4 ? argv[4] : "turn";
 
     MainWindow window([](const JobContext& job) { return std::make_shared<Engine>(open_device("", job)); });
     window.show();
@@ -123,8 +134,8 @@ int main(int argc, char** argv) {
     window.resize(window.size() + QSize(size[0].toInt(), size[1].toInt()) - hand.view->size());
     QTest::qWait(50);
     const glm::ivec3 voxels = window.documents()->document().volume.geometry().size;
-    fmt::print("{} ({}x{}x{}), 3D view {}x{}, {} rounds{}\n", input.toStdString(), voxels.x, voxels.y, voxels.z,
-               hand.view->width(), hand.view->height(), rounds, extra.empty() ? "" : ", with " + extra);
+    fmt::print("{} ({}x{}x{}), 3D view {}x{}, {} rounds, {}\n", input.toStdString(), voxels.x, voxels.y, voxels.z,
+               hand.view->width(), hand.view->height(), rounds, extra);
     fmt::print(
         "| mode | first picture ms (median, worst) | of it drawing | pictures a second | longest turn ms |\n"
         "| --- | --- | --- | --- | --- |\n");
@@ -139,16 +150,24 @@ int main(int argc, char** argv) {
                 {{{0, 1, 0}, -window.documents()->document().volume.geometry().centre_mm().y, true}, true});
         window.documents()->edit(QStringLiteral("Mode"), settings);
         std::vector<double> first, drawing;
-        const QPoint middle = hand.view->rect().center();
+        QPoint from = hand.view->rect().center();
+        if (extra == "cut") {
+            hand.settle();
+            const ViewRays rays = hand.view->rays();
+            const PlaneGizmo gizmo =
+                gizmo_of(settings.cuts[0].plane, window.documents()->document().volume.geometry(), rays);
+            from = to_point(*in_picture(rays, gizmo.anchor)).toPoint();
+        }
+        if (extra == "levels") hand.button = Qt::RightButton, hand.modifiers = Qt::ControlModifier;
         for (int i = 0; i <= rounds; ++i) {
             double drawn = 0;
-            const double ms = hand.firstPicture(middle, drawn);
+            const double ms = hand.firstPicture(from, drawn);
             if (i == 0) continue;  // structures are built, and how long a frame takes is learnt
             first.push_back(ms);
             drawing.push_back(drawn);
         }
         double longest = 0;
-        const double pace = hand.pace(middle, longest);
+        const double pace = hand.pace(from, longest);
         fmt::print("| {} | {:.0f}, {:.0f} | {:.0f} | {:.0f} | {:.0f} |\n", name_of(mode.mode), median(first),
                    *std::max_element(first.begin(), first.end()), median(drawing), pace, longest);
         std::fflush(stdout);

@@ -46,6 +46,8 @@ std::size_t field_count() {
 TEST(SettingsJson, NoMemberIsForgotten) {
     EXPECT_EQ(field_count<ViewSettings>(), member_count<ViewSettings>());
     EXPECT_EQ(field_count<Quality>(), member_count<Quality>());
+    EXPECT_EQ(field_count<ModeSettings>(), member_count<ModeSettings>());
+    EXPECT_EQ(field_count<BoxRoi>(), member_count<BoxRoi>());
     EXPECT_EQ(field_count<CuttingPlane>(), member_count<CuttingPlane>());
     EXPECT_EQ(field_count<CutSetting>(), member_count<CutSetting>());
     EXPECT_EQ(field_count<RangeSetting>(), member_count<RangeSetting>());
@@ -89,6 +91,10 @@ ViewSettings unusual_settings(unsigned seed) {
     s.quality.error_budget = std::abs(number(random));
     s.quality.time_budget_ms = 33;
     s.quality.plan = to_json(ModePlan{ViewMode::iso, {}});
+    s.quality.structure = Structure::eacd;
+    s.roi = {{0.1, 0.2, 0.3}, {0.4, 0.5, 1}, true, true};
+    s.other_modes[ViewMode::iso] = {Shading::none, {2, Structure::octree, Sampler::adaptive}, {5, 6}, true, {}};
+    s.other_modes[ViewMode::mip].effects = parse_effects("contrast=2");
     s.effects = parse_effects("ssao=2,3,gamma=1.7");
     return s;
 }
@@ -118,6 +124,10 @@ TEST(SettingsJson, WhatCannotBeIsRefusedByName) {
     EXPECT_NE(complaint("{\"iso\":\"nan\"}").find("grey level"), std::string::npos);
     EXPECT_NE(complaint("{\"cuts\":[{\"plane\":{\"normal\":[0,0,0]}}]}").find("direction"), std::string::npos);
     EXPECT_NE(complaint("{\"cuts\":[{\"plane\":{\"normal\":[0,1]}}]}").find("cuts[0].plane.normal"), std::string::npos);
+    EXPECT_NE(complaint("{\"roi\":{\"lo\":[0,0,1]}}").find("box"), std::string::npos);
+    EXPECT_NE(complaint("{\"other_modes\":{\"hologram\":{}}}").find("other_modes"), std::string::npos);
+    EXPECT_NE(complaint("{\"other_modes\":{\"ea\":{}}}").find("others"), std::string::npos);
+    EXPECT_NE(complaint("{\"quality\":{\"structure\":\"heap\"}}").find("quality.structure"), std::string::npos);
     EXPECT_NE(complaint("{\"iso\":1").find("cut short"), std::string::npos);
     EXPECT_NE(complaint("{\"slices\":{\"tilt\":[0,0,0,2]}}").find("tilt"), std::string::npos);
     EXPECT_NE(complaint("{\"slices\":{\"slab\":{\"thickness_mm\":-1}}}").find("thickness"), std::string::npos);
