@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -17,7 +18,9 @@ namespace {
 /// Counts the members of an aggregate: how many values of any type its braces take.
 struct AnyValue {
     template <class T>
-    constexpr operator T() const;
+    operator T() const {
+        std::abort();  // asked for its type alone
+    }
 };
 template <class T, class... Values>
 consteval std::size_t member_count() {
