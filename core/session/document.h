@@ -39,7 +39,7 @@ struct CutSetting {
 struct BoxRoi {
     glm::dvec3 lo{0}, hi{1};  ///< shares of the box of voxel cells along each axis, 0 <= lo < hi <= 1
     bool enabled = false;
-    bool cap = false;  ///< data values on the box's sides; else inner surfaces show
+    bool cap = true;  ///< data values on the box's sides; else inner surfaces show
     friend bool operator==(const BoxRoi&, const BoxRoi&) = default;
 };
 

@@ -131,7 +131,7 @@ TEST_F(View3dTest, TheBoxIsDraggedByItsSidesAndSwitchedOff) {
     window->documents()->setCamera(camera);
     settle();
     const QImage whole = picture();
-    key(Qt::Key_B);
+    key(Qt::Key_B, Qt::ShiftModifier);
     EXPECT_TRUE(settings().roi.enabled);
     EXPECT_TRUE(window->cutsPanel()->boxPanel()->enabledBox()->isChecked());
     const BoxRoi was = settings().roi;
@@ -149,7 +149,7 @@ TEST_F(View3dTest, TheBoxIsDraggedByItsSidesAndSwitchedOff) {
     const double lo = settings().roi.lo.x;
     QTest::keyClick(ends, Qt::Key_Right);
     EXPECT_NEAR(settings().roi.lo.x, lo + 1.0 / geometry.size.x, 0.51 / geometry.size.x);
-    key(Qt::Key_B);
+    key(Qt::Key_B, Qt::ShiftModifier);
     EXPECT_FALSE(settings().roi.enabled);
     settle();
     EXPECT_EQ(difference(picture(), whole), 0);

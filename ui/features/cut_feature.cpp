@@ -76,7 +76,7 @@ void CutFeature::buildMenu() {
     tilts(tr("Tilt up"), "Alt+Up", 0, k_tilt_deg);
     tilts(tr("Tilt down"), "Alt+Down", 0, -k_tilt_deg);
     menu->addSeparator();
-    box_ = in_view(bench_.add(menu, tr("Show a &box of the volume alone"), key("B"), this,
+    box_ = in_view(bench_.add(menu, tr("Show a &box of the volume alone"), key("Shift+B"), this,
                               [this](bool on) {
                                   bench_.edit(BoxPanel::tr("Switch the box"), [on](ViewSettings& settings) {
                                       BoxRoi& box = settings.roi;

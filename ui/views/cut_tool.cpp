@@ -81,7 +81,7 @@ void CutTool::paintOutline(QPainter& painter, const ViewRays& rays, int cut) con
     if (!selected && !hot) ink.setAlpha(150);
     if (selected && plane_drag_) {
         QColor wash = theme::k_volume;
-        wash.setAlpha(26);
+        wash.setAlpha(14);
         painter.fillPath(*path, wash);
     }
     draw_line(painter, *path, ink, selected ? 2 : 1.25, selected ? Qt::SolidLine : Qt::DashLine);

@@ -95,7 +95,7 @@ ViewSettings unusual_settings(unsigned seed) {
     s.quality.time_budget_ms = 33;
     s.quality.plan = to_json(ModePlan{ViewMode::iso, {}});
     s.quality.structure = Structure::eacd;
-    s.roi = {{0.1, 0.2, 0.3}, {0.4, 0.5, 1}, true, true};
+    s.roi = {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.9}, true, false};
     s.other_modes[ViewMode::iso] = {Shading::none, {2, Structure::octree, Sampler::adaptive}, {5, 6}, true, {}};
     s.other_modes[ViewMode::mip].effects = parse_effects("contrast=2");
     s.effects = parse_effects("ssao=2,3,gamma=1.7");
