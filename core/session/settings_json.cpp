@@ -29,7 +29,6 @@ void check(const ViewSettings& settings, const std::string& where) {
     check_quality(settings.quality);
     for (const auto& [mode, own] : settings.other_modes) {
         check_quality(own.quality);
-        if (mode == settings.mode) refuse("the mode shown stands among the others, too.");
         for (const double v : {own.projection_window.lo, own.projection_window.hi})
             if (!std::isfinite(v)) refuse("a grey level is no number.");
     }

@@ -117,7 +117,7 @@ void AccuracyFeature::usePlan(const ModePlan& plan) {
     bench_.edit(tr("Plan"), [&](ViewSettings& settings) {
         ModePlan bare = plan;
         bare.plan.why.clear();
-        settings.mode = plan.mode;
+        switch_mode(settings, plan.mode);
         settings.quality.plan = to_json(bare);
         settings.quality.error_budget.reset();
         settings.quality.time_budget_ms.reset();

@@ -129,7 +129,6 @@ TEST(SettingsJson, WhatCannotBeIsRefusedByName) {
     EXPECT_NE(complaint("{\"cuts\":[{\"plane\":{\"normal\":[0,1]}}]}").find("cuts[0].plane.normal"), std::string::npos);
     EXPECT_NE(complaint("{\"roi\":{\"lo\":[0,0,1]}}").find("box"), std::string::npos);
     EXPECT_NE(complaint("{\"other_modes\":{\"hologram\":{}}}").find("other_modes"), std::string::npos);
-    EXPECT_NE(complaint("{\"other_modes\":{\"ea\":{}}}").find("others"), std::string::npos);
     EXPECT_NE(complaint("{\"quality\":{\"structure\":\"heap\"}}").find("quality.structure"), std::string::npos);
     EXPECT_NE(complaint("{\"iso\":1").find("cut short"), std::string::npos);
     EXPECT_NE(complaint("{\"slices\":{\"tilt\":[0,0,0,2]}}").find("tilt"), std::string::npos);
