@@ -46,8 +46,12 @@ int anonymise(const InputOptions& input, const std::string& target, const Anonym
     options.software = std::string("Lacuna ") + LACUNA_VERSION;
     const AnonymiseReport report =
         anonymise_dicom(files_to_anonymise(input, console), target, options, console.job("Anonymising"));
-    console.note(fmt::format("{} images of {} series, {} studies and {} patients written.", report.images,
-                             report.series, report.studies, report.patients));
+    const auto count = [](int n, const char* one, const char* many) {
+        return fmt::format("{} {}", n, n == 1 ? one : many);
+    };
+    console.note(count(report.images, "image", "images") + " of " + count(report.series, "series", "series") + ", " +
+                 count(report.studies, "study", "studies") + " and " + count(report.patients, "patient", "patients") +
+                 " written.");
     for (const std::string& note : report.notes()) console.note_at_end("note: " + note);
     return 0;
 }

@@ -122,8 +122,11 @@ private:
         const DcmTag& tag = element.getTag();
         if (tag.getElement() == 0x0000) return false;  // lengths of groups
         const DcmEVR vr = element.getVR();
-        const ProfileAction action = chosen(dicom::profile_action(tag.getGroup(), tag.getElement()), classic_);
+        const ProfileAction listed = dicom::profile_action(tag.getGroup(), tag.getElement());
+        const ProfileAction action = chosen(listed, classic_);
         if (action == ProfileAction::remove || vr == EVR_UN || is_unknown(tag)) return false;
+        // Where it may go as well: a sequence that is there must often have an item.
+        if (action == ProfileAction::zero && listed != action && is_sequence(element)) return false;
         switch (action) {
             case ProfileAction::zero:
                 clear(element);

@@ -78,7 +78,9 @@ void write_image(const std::filesystem::path& file, int number, const char* seri
     put(*inner, DCM_CodeValue, "121326");
     put(*inner, DCM_PatientName, "Nested77");
     put(*inner, DcmTag(0x0009, 0x0010, EVR_LO), "Private7");
-    // A whole sequence that goes.
+    // Whole sequences that go.
+    ASSERT_TRUE(set.findOrCreateSequenceItem(DCM_ReferencedPerformedProcedureStepSequence, outer, 0).good());
+    put(*outer, DCM_ReferencedSOPInstanceUID, "1.2.3.4.5.77");
     ASSERT_TRUE(set.findOrCreateSequenceItem(DCM_RequestAttributesSequence, outer, 0).good());
     put(*outer, DCM_RequestedProcedureID, "Nested77");
     // Private elements, a curve, an overlay, group lengths.
@@ -151,9 +153,9 @@ TEST_F(Anonymise, EachTagIsTreatedAsTheTableSays) {
     run();
     Loaded made(image(1));
     DcmDataset& set = made.set();
-    for (const DcmTagKey& gone :
-         {DCM_PatientAge, DCM_PatientWeight, DCM_OtherPatientNames, DCM_StudyDescription, DCM_SeriesDescription,
-          DCM_ImageComments, DCM_ProtocolName, DCM_SeriesDate, DCM_RequestAttributesSequence})
+    for (const DcmTagKey& gone : {DCM_PatientAge, DCM_PatientWeight, DCM_OtherPatientNames, DCM_StudyDescription,
+                                  DCM_SeriesDescription, DCM_ImageComments, DCM_ProtocolName, DCM_SeriesDate,
+                                  DCM_RequestAttributesSequence, DCM_ReferencedPerformedProcedureStepSequence})
         EXPECT_FALSE(set.tagExists(gone)) << gone.toString();
     for (const DcmTagKey& empty : {DCM_PatientBirthDate, DCM_StudyDate, DCM_ContentDate, DCM_AccessionNumber,
                                    DCM_ReferringPhysicianName, DCM_AcquisitionDateTime}) {
