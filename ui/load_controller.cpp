@@ -2,22 +2,24 @@
 
 #include "core/io/dicom_identity.h"
 #include "core/io/dicom_source.h"
-#include "core/io/volume_reader.h"
+#include "core/io/open_limit.h"
+#include "core/io/raw_guess.h"
 #include "core/render/brick_plan.h"
 
 namespace lacuna::ui {
 
 namespace {
 
-/// Slices show any voxel at any time, so a window's volume must go into memory. Told by the header where it can be.
-void require_memory(const std::string& name, const OpenOptions& options) {
-    if (!options.series.empty()) return;
-    const std::optional<Volume> parts = open_volume_in_parts(name, options);
-    const std::uint64_t limit = default_memory_limit();
-    if (!parts || parts->total_bytes() <= limit) return;
-    throw Error(Errc::out_of_memory, "The volume holds " + std::to_string(parts->total_bytes() >> 20) +
-                                         " MB and the window may take " + std::to_string(limit >> 20) +
-                                         " MB (75 % of the machine's memory); lacuna render draws it from disk.");
+/// Slices show any voxel at any time, so a window's volume must go into memory: what its header says is larger is
+/// refused before it is read.
+Volume open_in_memory(const std::string& name, const OpenOptions& options, const JobContext& job) {
+    try {
+        return open_volume_within(name, options, default_memory_limit(), job);
+    } catch (const Error& error) {
+        if (error.code() != Errc::out_of_memory) throw;
+        throw Error(Errc::out_of_memory,
+                    std::string(error.what()) + " lacuna render draws large volumes in .raw and .mhd from disk.");
+    }
 }
 
 /// What only the screen shows of a DICOM series. An input that cannot be told a second time is shown without.
@@ -40,15 +42,15 @@ void LoadController::open(const QString& input, const OpenOptions& options) {
     job_.start(
         [name = input.toStdString(), options](const JobContext& job) {
             try {
-                require_memory(name, options);
+                if (options.raw.empty() && needs_raw_layout(name)) return Opened{.raw_file = true};
                 // Reading is most of it; the statistics take the rest.
-                Volume volume = open_volume(name, options, job.part(0, 0.9));
-                Opened opened{make_document(name, std::move(volume), job.part(0.9, 1)), {}};
+                Volume volume = open_in_memory(name, options, job.part(0, 0.9));
+                Opened opened{.document = make_document(name, std::move(volume), job.part(0.9, 1))};
                 opened.document.options = options;
                 if (opened.document.volume.dicom) add_screen_facts(opened.document, {job.stop, nullptr});
                 return opened;
             } catch (const AmbiguousInput& several) {
-                return Opened{{}, several.entries};
+                return Opened{.choice = several.entries};
             }
         },
         [this, input](Outcome<Opened> outcome) {
@@ -59,6 +61,8 @@ void LoadController::open(const QString& input, const OpenOptions& options) {
                     Q_EMIT failed(QString::fromStdString(error->what()));
             } else if (Opened& opened = std::get<Opened>(outcome); !opened.choice.empty()) {
                 Q_EMIT choiceNeeded(input, opened.choice);
+            } else if (opened.raw_file) {
+                Q_EMIT layoutNeeded(input);
             } else {
                 Q_EMIT loaded(opened.document);
             }

@@ -31,13 +31,16 @@ Q_SIGNALS:
     void cancelled();
     /// Several volumes lie under the input; one is to be chosen.
     void choiceNeeded(const QString& input, const std::vector<lacuna::SeriesEntry>& entries);
-    void finished();  ///< after any of the four outcomes
+    /// A raw file of which nothing says how it is to be read.
+    void layoutNeeded(const QString& input);
+    void finished();  ///< after any of the five outcomes
 
 private:
-    /// What a load ends with when it does not fail: a document, or the volumes to choose from.
+    /// What a load ends with when it does not fail: a document, the volumes to choose from, or a layout to ask for.
     struct Opened {
-        Document document;
-        std::vector<SeriesEntry> choice;
+        Document document{};
+        std::vector<SeriesEntry> choice{};
+        bool raw_file = false;
     };
     LatestJob<Opened> job_;
 };

@@ -9,6 +9,8 @@
 #include <cmath>
 
 #include "ui/features/colours_feature.h"
+#include "ui/features/import_feature.h"
+#include "ui/features/pacs_feature.h"
 #include "ui/features/presets_feature.h"
 #include "ui/preferences.h"
 #include "ui/series_dialog.h"
@@ -86,6 +88,8 @@ void MainWindow::buildDocks() {
 
 /// One line a feature; the order is that of their entries in the menus.
 void MainWindow::buildFeatures() {
+    new ImportFeature(*bench_);
+    new PacsFeature(*bench_);
     new ColoursFeature(*bench_, transfer_panel_, ranges_panel_, tabs_);
     new PresetsFeature(*bench_);
     cuts_ = new CutFeature(*bench_, cuts_panel_);
