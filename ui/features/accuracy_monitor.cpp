@@ -9,9 +9,12 @@ std::string identity(ModePlan plan) {
     return to_json(plan);
 }
 
-/// The settings less what only says how to draw them.
+/// The settings less what only says how to draw them, and what only slices show.
 ViewSettings seen(const ViewSettings& settings) {
     ViewSettings made = settings;
+    made.window = {};
+    made.slices = {};
+    made.measurements.clear();
     made.quality = {};
     made.quality.step = settings.quality.step;
     return made;

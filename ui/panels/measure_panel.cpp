@@ -26,7 +26,8 @@ MeasurePanel::MeasurePanel(QWidget* parent)
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setTabKeyNavigation(false);
-    table_->horizontalHeader()->setStretchLastSection(true);
+    table_->setAlternatingRowColors(true);
+    table_->verticalHeader()->setDefaultSectionSize(22);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     remove_->setToolTip(tr("Removes the chosen measurement"));
     copy_->setToolTip(tr("Copies the table to the clipboard, for a spreadsheet"));

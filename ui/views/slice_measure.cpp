@@ -330,10 +330,11 @@ void SliceMeasure::paintOne(const Measurement& m, const SliceView& view, QPainte
     const QStringList lines = words(m);
     if (lines.isEmpty()) return;
     const QFontMetrics metrics(painter.font());
-    // Beside the lower right end; pushed back into the view where it would leave it.
+    // Beside the lower right end, an angle's by its vertex; pushed back into the view where it would leave it.
+    const QPointF anchor = m.kind == MeasurementKind::angle ? view.toWidget(m.points_mm[1]) : box.bottomRight();
     int wide = 0;
     for (const QString& line : lines) wide = std::max(wide, metrics.horizontalAdvance(line));
-    QRectF where(box.bottomRight() + QPointF(8, 2), QSizeF(wide + 8, metrics.height() * lines.size() + 4));
+    QRectF where(anchor + QPointF(8, 2), QSizeF(wide + 8, metrics.height() * lines.size() + 4));
     where.moveRight(std::min(where.right(), view.width() - 4.0));
     where.moveBottom(std::min(where.bottom(), view.height() - 4.0));
     painter.fillRect(where, QColor(0, 0, 0, 120));
