@@ -128,7 +128,8 @@ int run_render(RenderOptions& options, Console& console) {
     check(scene);
     Plan plan = options.plan(scene);
     check(plan, scene);
-    if (const auto budget = options.budget()) {
+    if (auto budget = options.budget()) {
+        budget->costs = costs_of(engine, console.job("Measuring the device"));
         const PlannedPlan planned = choose_plan(engine, scene, *budget, console.job("Planning"));
         plan = planned.plan;
         if (!planned.meets_budget)

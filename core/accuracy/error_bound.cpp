@@ -7,11 +7,10 @@ namespace lacuna {
 namespace {
 
 bool by_gradient(const Scene& scene) {
-    const auto uses = [](const TransferFunction& function) { return !function.gradient_opacity.empty(); };
-    const std::vector<SegmentationRange>& ranges = scene.classification.ranges;
-    return uses(scene.classification.tf) ||
-           std::any_of(ranges.begin(), ranges.end(), [&](const auto& range) { return range.tf && uses(*range.tf); }) ||
-           std::any_of(scene.regions.functions.begin(), scene.regions.functions.end(), uses);
+    const std::vector<TransferFunction>& of_regions = scene.regions.functions;
+    return scene.classification.uses_gradient() ||
+           std::any_of(of_regions.begin(), of_regions.end(),
+                       [](const auto& function) { return function.uses_gradient(); });
 }
 
 /// Whether a gradient is taken anywhere.

@@ -163,8 +163,9 @@ void AccuracyMonitor::startPlanning() {
     planned_for_ = asked(document.settings);
     plan_.start(
         tr("Choosing a plan"),
-        [engine = bench_.engine(), scene = shown_.scene, budget](const JobContext& job) {
-            return choose_plan(*engine, *scene, budget, job);
+        [engine = bench_.engine(), scene = shown_.scene, budget](const JobContext& job) mutable {
+            budget.costs = costs_of(*engine, job.part(0, 0.1));  // measured the first time alone
+            return choose_plan(*engine, *scene, budget, job.part(0.1, 1));
         },
         [this, mode = shown_.scene->mode](Outcome<PlannedPlan> outcome) {
             if (const Error* error = std::get_if<Error>(&outcome)) {
