@@ -49,25 +49,25 @@ void CutFeature::buildMenu() {
     offer_tool(cut, ToolGroup::tools, Icon::cut, tr("Cut"));
     bench_.add(menu, tr("Cut here, &facing the viewer"), key("Ctrl+Shift+X"), this, &CutFeature::addFacing);
     menu->addSeparator();
-    in_view(bench_.add(menu, tr("Choose the &next plane"), key("X"), panel_,
+    in_view(bench_.add(menu, tr("Choose the &next plane"), key("C"), panel_,
                        [this] { panel_->select(panel_->current() + 1); }),
             false);
-    in_view(bench_.add(menu, tr("F&lip the plane"), key("Shift+X"), panel_, &CutsPanel::flipCurrent), true);
+    in_view(bench_.add(menu, tr("F&lip the plane"), key("Shift+C"), panel_, &CutsPanel::flipCurrent), true);
     open_ = in_view(bench_.add(menu, tr("Data values on the cut face (ca&p)"), key("O"), this,
                                [this](bool cap) {
                                    editCut(CutsPanel::tr("Cut face"), [cap](CutSetting& cut) { cut.plane.cap = cap; });
                                }),
                     true);
     open_->setCheckable(true);
-    in_view(bench_.add(menu, tr("&Remove the plane"), key("Del"), panel_, &CutsPanel::removeCurrent), true);
+    in_view(bench_.add(menu, tr("&Remove the plane"), key("Shift+Del"), panel_, &CutsPanel::removeCurrent), true);
     QMenu* move = menu->addMenu(tr("&Move and tilt the plane"));
     const auto moves = [&](const QString& text, const char* keys, int voxels) {
         in_view(bench_.add(move, text, key(keys), this, [this, voxels] { moveBy(voxels); }), false);
     };
     moves(tr("Cut away &more"), "PgDown", k_voxels);
     moves(tr("Cut away &less"), "PgUp", -k_voxels);
-    moves(tr("Cut away much more"), "Shift+PgDown", k_many_voxels);
-    moves(tr("Cut away much less"), "Shift+PgUp", -k_many_voxels);
+    moves(tr("Cut away much more"), "Ctrl+PgDown", k_many_voxels);
+    moves(tr("Cut away much less"), "Ctrl+PgUp", -k_many_voxels);
     const auto tilts = [&](const QString& text, const char* keys, double right, double up) {
         in_view(bench_.add(move, text, key(keys), this, [this, right, up] { tiltBy(right, up); }), false);
     };
@@ -88,7 +88,7 @@ void CutFeature::buildMenu() {
                               }),
                    false);
     box_->setCheckable(true);
-    QAction* handles = bench_.add(menu, tr("Show &handles in the 3D view"), key("Ctrl+Shift+H"), this, [this](bool on) {
+    QAction* handles = bench_.add(menu, tr("Show &handles in the 3D view"), key("Ctrl+Alt+H"), this, [this](bool on) {
         tool_.setVisible(on);
         bench_.views()->volumeView()->update();
     });
