@@ -34,7 +34,7 @@ TEST(FuzzyScore, LettersInOrderMatchAndWordsCountMore) {
     EXPECT_EQ(fuzzy_score(QString(), QStringLiteral("anything")), 0);
     const auto score = [](const char* text) { return fuzzy_score(QStringLiteral("cut"), QString::fromUtf8(text)); };
     EXPECT_GT(score("Add a cut"), score("Execute"));
-    EXPECT_GT(score("Execute"), score("A colour put"));
+    EXPECT_GT(score("Execute"), score("xcxuxt"));
     // The dynamic programme finds the best place, not the first: "c" of "cut", not of "access".
     EXPECT_EQ(score("access cut"), score("a cut"));
     EXPECT_EQ(fuzzy_score(QStringLiteral("flache"), QString::fromUtf8("Fläche")),
