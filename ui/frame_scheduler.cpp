@@ -8,7 +8,7 @@ namespace lacuna::ui {
 namespace {
 
 QString describe(const Scene& scene, const Plan& plan) {
-    return QStringLiteral("%1 · %2 · step %3")
+    return FrameScheduler::tr("%1 · %2 · step %3")
         .arg(QString::fromUtf8(name_of(scene.mode).data(), qsizetype(name_of(scene.mode).size())),
              QString::fromUtf8(name_of(plan.structure).data(), qsizetype(name_of(plan.structure).size())))
         .arg(plan.step, 0, 'g', 3);

@@ -223,9 +223,48 @@
         <source>Dismiss the message</source>
         <translation>Meldung schließen</translation>
     </message>
+    <message>
+        <source>Drag of a cross-hair&apos;s handle, Shift+left drag, Ctrl+Left and Right</source>
+        <translation>Griff des Fadenkreuzes ziehen, Umschalt+links ziehen, Strg+Links und Rechts</translation>
+    </message>
+    <message>
+        <source>Tilt the two other planes</source>
+        <translation>Die zwei anderen Ebenen kippen</translation>
+    </message>
+    <message>
+        <source>Left drag or clicks while measuring, Space</source>
+        <translation>Beim Messen links ziehen oder klicken, Leertaste</translation>
+    </message>
+    <message>
+        <source>Set the points of a measurement</source>
+        <translation>Punkte einer Messung setzen</translation>
+    </message>
+    <message>
+        <source>Left drag of a measurement</source>
+        <translation>Eine Messung links ziehen</translation>
+    </message>
+    <message>
+        <source>Move it or one of its points</source>
+        <translation>Sie oder einen ihrer Punkte bewegen</translation>
+    </message>
+    <message>
+        <source>Remove the measurement</source>
+        <translation>Messung entfernen</translation>
+    </message>
+    <message>
+        <source>End measuring</source>
+        <translation>Messen beenden</translation>
+    </message>
 </context>
 <context>
-    <name>QObject</name>
+    <name>QToolBar</name>
+    <message>
+        <source>Tool bar</source>
+        <translation>Werkzeugleiste</translation>
+    </message>
+</context>
+<context>
+    <name>SliceAnnotations</name>
     <message>
         <source>Axial</source>
         <translation>Axial</translation>
@@ -238,12 +277,52 @@
         <source>Sagittal</source>
         <translation>Sagittal</translation>
     </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 µm</source>
+        <translation>%1 µm</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation>%1 %2 mm</translation>
+    </message>
 </context>
 <context>
-    <name>QToolBar</name>
+    <name>WindowPreset</name>
     <message>
-        <source>Tool bar</source>
-        <translation>Werkzeugleiste</translation>
+        <source>Brain</source>
+        <translation>Gehirn</translation>
+    </message>
+    <message>
+        <source>Abdomen</source>
+        <translation>Abdomen</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>Mediastinum</source>
+        <translation>Mediastinum</translation>
+    </message>
+    <message>
+        <source>Angio</source>
+        <translation>Angio</translation>
     </message>
 </context>
 <context>
@@ -468,6 +547,37 @@
     <message>
         <source>A frame in %1 ms</source>
         <translation>Ein Bild in %1 ms</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::ColoursFeature</name>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>&amp;Values</source>
+        <translation>&amp;Werte</translation>
+    </message>
+    <message>
+        <source>&amp;Gradient opacity</source>
+        <translation>Deckkraft nach &amp;Gradient</translation>
+    </message>
+    <message>
+        <source>Value and gradient (&amp;2D)</source>
+        <translation>Wert und Gradient (&amp;2D)</translation>
+    </message>
+    <message>
+        <source>&amp;Load a transfer function…</source>
+        <translation>Transferfunktion &amp;laden…</translation>
+    </message>
+    <message>
+        <source>&amp;Save the transfer function…</source>
+        <translation>Transferfunktion &amp;sichern…</translation>
+    </message>
+    <message>
+        <source>Colour &amp;map</source>
+        <translation>Farb&amp;karte</translation>
     </message>
 </context>
 <context>
@@ -1014,6 +1124,40 @@
     <message>
         <source>measuring: %1</source>
         <translation>wird gemessen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::FrameScheduler</name>
+    <message>
+        <source>%1 · %2 · step %3</source>
+        <translation>%1 · %2 · Schritt %3</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::GradientPage</name>
+    <message>
+        <source>O&amp;pacity by gradient</source>
+        <translation>Deckkraft nach &amp;Gradient</translation>
+    </message>
+    <message>
+        <source>Multiplies the opacity by a factor that depends on how fast the values change: surfaces stand out, even regions fade.</source>
+        <translation>Multipliziert die Deckkraft mit einem Faktor, der davon abhängt, wie schnell sich die Werte ändern: Flächen treten hervor, gleichmäßige Bereiche verblassen.</translation>
+    </message>
+    <message>
+        <source>Gradient opacity</source>
+        <translation>Deckkraft nach Gradient</translation>
+    </message>
+    <message>
+        <source>Factor on the opacity by gradient magnitude · drag points · double click adds one · Delete removes it · wheel zooms the axis</source>
+        <translation>Faktor der Deckkraft nach Gradientenbetrag · Punkte ziehen · Doppelklick fügt einen hinzu · Entf entfernt ihn · Rad vergrößert die Achse</translation>
+    </message>
+    <message>
+        <source>Opacity by gradient</source>
+        <translation>Deckkraft nach Gradient</translation>
+    </message>
+    <message>
+        <source>No opacity by gradient</source>
+        <translation>Keine Deckkraft nach Gradient</translation>
     </message>
 </context>
 <context>
@@ -1622,9 +1766,154 @@
         <source>The 3D &amp;picture…</source>
         <translation>Das 3D-&amp;Bild…</translation>
     </message>
+</context>
+<context>
+    <name>lacuna::ui::MeasureFeature</name>
     <message>
-        <source>%1[*] — Lacuna</source>
-        <translation>%1[*] — Lacuna</translation>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>&amp;Cross-hair</source>
+        <translation>&amp;Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>&amp;Distance</source>
+        <translation>&amp;Abstand</translation>
+    </message>
+    <message>
+        <source>A&amp;ngle</source>
+        <translation>&amp;Winkel</translation>
+    </message>
+    <message>
+        <source>&amp;Rectangle</source>
+        <translation>&amp;Rechteck</translation>
+    </message>
+    <message>
+        <source>&amp;Ellipse</source>
+        <translation>&amp;Ellipse</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Re&amp;move the measurement</source>
+        <translation>&amp;Messung entfernen</translation>
+    </message>
+    <message>
+        <source>Remove &amp;all measurements</source>
+        <translation>A&amp;lle Messungen entfernen</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y the table</source>
+        <translation>Tabelle &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>E&amp;xport the table…</source>
+        <translation>Tabelle &amp;ausgeben…</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>tilted</source>
+        <translation>gekippt</translation>
+    </message>
+    <message>
+        <source>%1 mm²</source>
+        <translation>%1 mm²</translation>
+    </message>
+    <message>
+        <source>Remove all measurements</source>
+        <translation>Alle Messungen entfernen</translation>
+    </message>
+    <message numerus="yes">
+        <source>The table of %n measurement(s) is on the clipboard.</source>
+        <translation>
+            <numerusform>Die Tabelle von %n Messung ist in der Zwischenablage.</numerusform>
+            <numerusform>Die Tabelle von %n Messungen ist in der Zwischenablage.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is nothing measured yet; choose what to draw in this menu.</source>
+        <translation>Noch ist nichts gemessen; in diesem Menü wählen, was gezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>Export the measurements</source>
+        <translation>Messungen ausgeben</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::MeasurePanel</name>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>&amp;Ausgeben…</translation>
+    </message>
+    <message>
+        <source>Measurements</source>
+        <translation>Messungen</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Schicht</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Stddev</source>
+        <translation>Std.-Abw.</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Removes the chosen measurement</source>
+        <translation>Entfernt die gewählte Messung</translation>
+    </message>
+    <message>
+        <source>Copies the table to the clipboard, for a spreadsheet</source>
+        <translation>Kopiert die Tabelle in die Zwischenablage, für eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>Writes the table as CSV</source>
+        <translation>Schreibt die Tabelle als CSV</translation>
     </message>
 </context>
 <context>
@@ -1647,6 +1936,222 @@
     <message>
         <source>%1, value</source>
         <translation>%1, Wert</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::PatientFeature</name>
+    <message>
+        <source>Patient &amp;data</source>
+        <translation>&amp;Patientendaten</translation>
+    </message>
+    <message>
+        <source>Names, identifiers, dates and file names in the views and the window&apos;s title</source>
+        <translation>Namen, Kennungen, Daten und Dateinamen in den Ansichten und im Titel des Fensters</translation>
+    </message>
+    <message>
+        <source>[*]Lacuna</source>
+        <translation>[*]Lacuna</translation>
+    </message>
+    <message>
+        <source>%1[*] — Lacuna</source>
+        <translation>%1[*] — Lacuna</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::PointFields</name>
+    <message>
+        <source>Colour…</source>
+        <translation>Farbe…</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Value of the selected point</source>
+        <translation>Wert des gewählten Punkts</translation>
+    </message>
+    <message>
+        <source>Opacity of the selected point</source>
+        <translation>Deckkraft des gewählten Punkts</translation>
+    </message>
+    <message>
+        <source>Colour of the selected points</source>
+        <translation>Farbe der gewählten Punkte</translation>
+    </message>
+    <message>
+        <source>Add a point after the selected one</source>
+        <translation>Punkt nach dem gewählten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the selected points</source>
+        <translation>Gewählte Punkte entfernen</translation>
+    </message>
+    <message>
+        <source>Val&amp;ue</source>
+        <translation>&amp;Wert</translation>
+    </message>
+    <message>
+        <source>&amp;Gradient</source>
+        <translation>&amp;Gradient</translation>
+    </message>
+    <message>
+        <source>&amp;Opacity</source>
+        <translation>&amp;Deckkraft</translation>
+    </message>
+    <message>
+        <source>&amp;Factor</source>
+        <translation>&amp;Faktor</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Transferfunktion</translation>
+    </message>
+    <message>
+        <source>Colour of the point</source>
+        <translation>Farbe des Punkts</translation>
+    </message>
+    <message>
+        <source>Colour of a point</source>
+        <translation>Farbe eines Punkts</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::PresetGallery</name>
+    <message>
+        <source>With mode, shading and step</source>
+        <translation>Mit Art, Beleuchtung und Schritt</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Sichern als…</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Einlesen…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Ausgeben…</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>Also takes the view mode, the shading and the step the preset was made for</source>
+        <translation>Übernimmt auch Darstellungsart, Beleuchtung und Schritt, für die die Vorgabe gemacht ist</translation>
+    </message>
+    <message>
+        <source>Show the chosen preset</source>
+        <translation>Gewählte Vorgabe zeigen</translation>
+    </message>
+    <message>
+        <source>Save what is shown as a preset</source>
+        <translation>Gezeigtes als Vorgabe sichern</translation>
+    </message>
+    <message>
+        <source>Saves the colours with the view mode, shading and step in use</source>
+        <translation>Sichert die Farben mit Darstellungsart, Beleuchtung und Schritt</translation>
+    </message>
+    <message>
+        <source>Rename the chosen preset</source>
+        <translation>Gewählte Vorgabe umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete the chosen preset</source>
+        <translation>Gewählte Vorgabe löschen</translation>
+    </message>
+    <message>
+        <source>Import a preset file</source>
+        <translation>Vorgabe aus einer Datei einlesen</translation>
+    </message>
+    <message>
+        <source>Export the chosen preset to a file</source>
+        <translation>Gewählte Vorgabe in eine Datei ausgeben</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::PresetsFeature</name>
+    <message>
+        <source>Presets</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>Save as a preset</source>
+        <translation>Als Vorgabe sichern</translation>
+    </message>
+    <message>
+        <source>Rename the preset</source>
+        <translation>Vorgabe umbenennen</translation>
+    </message>
+    <message>
+        <source>Delete the preset</source>
+        <translation>Vorgabe löschen</translation>
+    </message>
+    <message>
+        <source>Delete the preset “%1”? Its file is removed.</source>
+        <translation>Vorgabe „%1“ löschen? Ihre Datei wird entfernt.</translation>
+    </message>
+    <message>
+        <source>Import a preset</source>
+        <translation>Vorgabe einlesen</translation>
+    </message>
+    <message>
+        <source>Presets (*.json);;All files (*)</source>
+        <translation>Vorgaben (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export the preset</source>
+        <translation>Vorgabe ausgeben</translation>
+    </message>
+    <message>
+        <source>Presets (*.json)</source>
+        <translation>Vorgaben (*.json)</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>&amp;Presets</source>
+        <translation>&amp;Vorgaben</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve as a preset…</source>
+        <translation>Als Vorgabe &amp;sichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Import a preset…</source>
+        <translation>Vorgabe &amp;einlesen…</translation>
+    </message>
+    <message>
+        <source>Preset %1</source>
+        <translation>Vorgabe %1</translation>
+    </message>
+    <message>
+        <source>Name of the preset</source>
+        <translation>Name der Vorgabe</translation>
+    </message>
+    <message>
+        <source>There is a preset “%1” already. Replace it?</source>
+        <translation>Es gibt schon eine Vorgabe „%1“. Ersetzen?</translation>
     </message>
 </context>
 <context>
@@ -1683,6 +2188,80 @@
         <source>Remove range %1</source>
         <translation>Bereich %1 entfernen</translation>
     </message>
+    <message>
+        <source>Moves it one place up: where ranges overlap, the upper one counts</source>
+        <translation>Rückt ihn einen Platz nach oben: wo Bereiche sich überlappen, gilt der obere</translation>
+    </message>
+    <message>
+        <source>The range&apos;s colour</source>
+        <translation>Farbe des Bereichs</translation>
+    </message>
+    <message>
+        <source>Whether the range is in use</source>
+        <translation>Ob der Bereich an ist</translation>
+    </message>
+    <message>
+        <source>Scene&apos;s colours</source>
+        <translation>Farben der Szene</translation>
+    </message>
+    <message>
+        <source>Own colours…</source>
+        <translation>Eigene Farben…</translation>
+    </message>
+    <message>
+        <source>One colour</source>
+        <translation>Eine Farbe</translation>
+    </message>
+    <message>
+        <source>Name of range %1</source>
+        <translation>Name von Bereich %1</translation>
+    </message>
+    <message>
+        <source>Colour of range %1</source>
+        <translation>Farbe von Bereich %1</translation>
+    </message>
+    <message>
+        <source>Move range %1 up</source>
+        <translation>Bereich %1 nach oben</translation>
+    </message>
+    <message>
+        <source>What range %1 holds</source>
+        <translation>Was Bereich %1 enthält</translation>
+    </message>
+    <message>
+        <source>Use a range</source>
+        <translation>Bereich anschalten</translation>
+    </message>
+    <message>
+        <source>Leave out a range</source>
+        <translation>Bereich ausschalten</translation>
+    </message>
+    <message>
+        <source>Name of a range</source>
+        <translation>Name eines Bereichs</translation>
+    </message>
+    <message>
+        <source>Colours of a range</source>
+        <translation>Farben eines Bereichs</translation>
+    </message>
+    <message>
+        <source>%1 voxels · %2 mm³ · %3 %</source>
+        <translation>%1 Voxel · %2 mm³ · %3 %</translation>
+    </message>
+    <message>
+        <source> · mean %1</source>
+        <translation> · Mittel %1</translation>
+    </message>
+    <message>
+        <source>
+%1 of them are in a range above, which draws them</source>
+        <translation>
+%1 davon liegen in einem Bereich darüber, der sie zeichnet</translation>
+    </message>
+    <message>
+        <source>Ends of %1</source>
+        <translation>Enden von %1</translation>
+    </message>
 </context>
 <context>
     <name>lacuna::ui::RangeSlider</name>
@@ -1710,16 +2289,8 @@
         <translation>Bereich hinzufügen</translation>
     </message>
     <message>
-        <source>No range: every value is kept. With ranges, only values inside them are seen.</source>
-        <translation>Kein Bereich: alle Werte bleiben. Mit Bereichen sind nur Werte darin zu sehen.</translation>
-    </message>
-    <message>
         <source>Add a segmentation range</source>
         <translation>Segmentierungsbereich hinzufügen</translation>
-    </message>
-    <message>
-        <source>Scene&apos;s colours</source>
-        <translation>Farben der Szene</translation>
     </message>
     <message>
         <source>Range %1</source>
@@ -1732,6 +2303,22 @@
     <message>
         <source>Remove range %1</source>
         <translation>Bereich %1 entfernen</translation>
+    </message>
+    <message>
+        <source>No range: every value is kept. With ranges, only values inside them are seen; where they overlap, the upper one counts.</source>
+        <translation>Kein Bereich: alle Werte bleiben. Mit Bereichen sind nur Werte darin zu sehen; wo sie sich überlappen, gilt der obere.</translation>
+    </message>
+    <message>
+        <source>Order of the ranges</source>
+        <translation>Reihenfolge der Bereiche</translation>
+    </message>
+    <message>
+        <source>Colour of the range</source>
+        <translation>Farbe des Bereichs</translation>
+    </message>
+    <message>
+        <source>Colour of range %1</source>
+        <translation>Farbe von Bereich %1</translation>
     </message>
 </context>
 <context>
@@ -2563,6 +3150,124 @@
     </message>
 </context>
 <context>
+    <name>lacuna::ui::ShapePlot</name>
+    <message>
+        <source>Shapes of value and gradient</source>
+        <translation>Formen aus Wert und Gradient</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the selected shape, with Shift its upper right corner, Page Up and Page Down select another, Insert adds one, Delete removes it, Enter chooses its colour.</source>
+        <translation>Pfeiltasten bewegen die gewählte Form, mit Umschalt ihre rechte obere Ecke, Bild auf und Bild ab wählen eine andere, Einfg fügt eine hinzu, Entf entfernt sie, Eingabe wählt ihre Farbe.</translation>
+    </message>
+    <message>
+        <source>Values to the right, gradient magnitudes up · drag on empty ground to draw a rectangle · drag a shape or its corners · Delete removes it · right click chooses its colour</source>
+        <translation>Werte nach rechts, Gradientenbeträge nach oben · auf leerem Grund ziehen, um ein Rechteck zu zeichnen · eine Form oder ihre Ecken ziehen · Entf entfernt sie · Rechtsklick wählt ihre Farbe</translation>
+    </message>
+    <message>
+        <source>value →  ↑ gradient to %1 per mm</source>
+        <translation>Wert →  ↑ Gradient bis %1 je mm</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::ShapesPage</name>
+    <message>
+        <source>Draw by &amp;shapes of value and gradient</source>
+        <translation>Mit &amp;Formen aus Wert und Gradient zeichnen</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Farbe…</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Draw by shapes</source>
+        <translation>Mit Formen zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw by values</source>
+        <translation>Mit Werten zeichnen</translation>
+    </message>
+    <message>
+        <source>Shapes of value and gradient</source>
+        <translation>Formen aus Wert und Gradient</translation>
+    </message>
+    <message>
+        <source>Kind of a shape</source>
+        <translation>Art einer Form</translation>
+    </message>
+    <message>
+        <source>Opacity of a shape</source>
+        <translation>Deckkraft einer Form</translation>
+    </message>
+    <message>
+        <source>Softness of a shape</source>
+        <translation>Weichheit einer Form</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Trapezoid</source>
+        <translation>Trapez</translation>
+    </message>
+    <message>
+        <source>Kind of the selected shape</source>
+        <translation>Art der gewählten Form</translation>
+    </message>
+    <message>
+        <source>Opacity of the selected shape</source>
+        <translation>Deckkraft der gewählten Form</translation>
+    </message>
+    <message>
+        <source>Softness of the selected shape</source>
+        <translation>Weichheit der gewählten Form</translation>
+    </message>
+    <message>
+        <source>Share of the half width over which opacity falls to nothing at either side</source>
+        <translation>Anteil der halben Breite, über den die Deckkraft zu beiden Seiten auf nichts fällt</translation>
+    </message>
+    <message>
+        <source>Colour of the selected shape</source>
+        <translation>Farbe der gewählten Form</translation>
+    </message>
+    <message>
+        <source>Add a shape</source>
+        <translation>Form hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the selected shape</source>
+        <translation>Gewählte Form entfernen</translation>
+    </message>
+    <message>
+        <source>Opacity and colour come from the shapes below instead of the points and the gradient curve</source>
+        <translation>Deckkraft und Farbe kommen von den Formen darunter statt von den Punkten und der Gradientenkurve</translation>
+    </message>
+    <message>
+        <source>&amp;Opacity</source>
+        <translation>&amp;Deckkraft</translation>
+    </message>
+    <message>
+        <source>So&amp;ftness</source>
+        <translation>W&amp;eichheit</translation>
+    </message>
+    <message>
+        <source>Colour of the shape</source>
+        <translation>Farbe der Form</translation>
+    </message>
+    <message>
+        <source>Colour of a shape</source>
+        <translation>Farbe einer Form</translation>
+    </message>
+</context>
+<context>
     <name>lacuna::ui::ShortcutSheet</name>
     <message>
         <source>Keys and mouse</source>
@@ -2606,6 +3311,57 @@
     </message>
 </context>
 <context>
+    <name>lacuna::ui::SliceMeasure</name>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Remove measurement %1</source>
+        <translation>Messung %1 entfernen</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mm² · %2 px</source>
+        <translation>%1 mm² · %2 px</translation>
+    </message>
+    <message>
+        <source>Mean %1 ± %2%3</source>
+        <translation>Mittel %1 ± %2%3</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Measurement %1</source>
+        <translation>Messung %1</translation>
+    </message>
+    <message>
+        <source>Move measurement %1</source>
+        <translation>Messung %1 bewegen</translation>
+    </message>
+</context>
+<context>
     <name>lacuna::ui::SliceView</name>
     <message>
         <source>%1 slice</source>
@@ -2622,6 +3378,101 @@
     <message>
         <source>L %1  W %2</source>
         <translation>L %1  W %2</translation>
+    </message>
+    <message>
+        <source>%1, tilted</source>
+        <translation>%1, gekippt</translation>
+    </message>
+    <message>
+        <source>MIP of %1 mm</source>
+        <translation>MIP über %1 mm</translation>
+    </message>
+    <message>
+        <source>MinIP of %1 mm</source>
+        <translation>MinIP über %1 mm</translation>
+    </message>
+    <message>
+        <source>Mean of %1 mm</source>
+        <translation>Mittel über %1 mm</translation>
+    </message>
+    <message>
+        <source>Zoom %1 %</source>
+        <translation>Zoom %1 %</translation>
+    </message>
+    <message>
+        <source>sigmoid</source>
+        <translation>sigmoid</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::SlicesFeature</name>
+    <message>
+        <source>S&amp;lices</source>
+        <translation>&amp;Schichten</translation>
+    </message>
+    <message>
+        <source>Planes along the &amp;grid</source>
+        <translation>Ebenen entlang des &amp;Gitters</translation>
+    </message>
+    <message>
+        <source>Planes along the grid</source>
+        <translation>Ebenen entlang des Gitters</translation>
+    </message>
+    <message>
+        <source>&amp;Words, sides and scale</source>
+        <translation>&amp;Texte, Seiten und Maßstab</translation>
+    </message>
+    <message>
+        <source>Tilt the planes</source>
+        <translation>Ebenen kippen</translation>
+    </message>
+    <message>
+        <source>Window preset</source>
+        <translation>Fenstervorgabe</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;Full range</source>
+        <translation>Ganzer &amp;Bereich</translation>
+    </message>
+    <message>
+        <source>As &amp;opened</source>
+        <translation>Wie ge&amp;öffnet</translation>
+    </message>
+    <message>
+        <source>Slab: &amp;mean</source>
+        <translation>Scheibe: &amp;Mittel</translation>
+    </message>
+    <message>
+        <source>Slab: ma&amp;ximum (MIP)</source>
+        <translation>Scheibe: Ma&amp;ximum (MIP)</translation>
+    </message>
+    <message>
+        <source>Slab: m&amp;inimum (MinIP)</source>
+        <translation>Scheibe: M&amp;inimum (MinIP)</translation>
+    </message>
+    <message>
+        <source>Slab</source>
+        <translation>Scheibe</translation>
+    </message>
+    <message>
+        <source>Thicker slab</source>
+        <translation>Dickere Scheibe</translation>
+    </message>
+    <message>
+        <source>Thinner slab</source>
+        <translation>Dünnere Scheibe</translation>
+    </message>
+    <message>
+        <source>&amp;No slab</source>
+        <translation>&amp;Keine Scheibe</translation>
+    </message>
+    <message>
+        <source>Slab thickness</source>
+        <translation>Dicke der Scheibe</translation>
     </message>
 </context>
 <context>
@@ -2681,6 +3532,94 @@
     <message>
         <source>Window and level</source>
         <translation>Fensterung</translation>
+    </message>
+    <message>
+        <source>Slab thickness</source>
+        <translation>Dicke der Scheibe</translation>
+    </message>
+    <message>
+        <source>Opacity of regions and defects</source>
+        <translation>Deckkraft von Regionen und Fehlstellen</translation>
+    </message>
+    <message>
+        <source>Planes along the grid</source>
+        <translation>Ebenen entlang des Gitters</translation>
+    </message>
+    <message>
+        <source>Window function</source>
+        <translation>Fensterfunktion</translation>
+    </message>
+    <message>
+        <source>Slab</source>
+        <translation>Scheibe</translation>
+    </message>
+    <message>
+        <source>Opacity of the overlay</source>
+        <translation>Deckkraft der Überlagerung</translation>
+    </message>
+    <message>
+        <source>Linear (DICOM)</source>
+        <translation>Linear (DICOM)</translation>
+    </message>
+    <message>
+        <source>Linear, exact</source>
+        <translation>Linear, exakt</translation>
+    </message>
+    <message>
+        <source>Sigmoid</source>
+        <translation>Sigmoid</translation>
+    </message>
+    <message>
+        <source>How a window makes grey of values: DICOM PS3.3 C.11.2. Linear (DICOM) leaves half a value at either end, as scanners do; exact runs from end to end; sigmoid fades out softly.</source>
+        <translation>Wie ein Fenster aus Werten Grau macht: DICOM PS3.3 C.11.2. Linear (DICOM) lässt an beiden Enden einen halben Wert, wie Scanner es tun; exakt geht von Ende zu Ende; Sigmoid läuft weich aus.</translation>
+    </message>
+    <message>
+        <source>What a slab shows</source>
+        <translation>Was eine Scheibe zeigt</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Maximum (MIP)</source>
+        <translation>Maximum (MIP)</translation>
+    </message>
+    <message>
+        <source>Minimum (MinIP)</source>
+        <translation>Minimum (MinIP)</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>How thick the slices are; 0: one voxel</source>
+        <translation>Wie dick die Schichten sind; 0: ein Voxel</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Ends the tilt of the slices. They are tilted by dragging a handle near the end of a cross-hair&apos;s line, or with Shift and the left button.</source>
+        <translation>Beendet die Neigung der Schichten. Gekippt werden sie durch Ziehen eines Griffs nahe dem Ende einer Linie des Fadenkreuzes oder mit Umschalt und der linken Taste.</translation>
+    </message>
+    <message>
+        <source>&amp;Function</source>
+        <translation>F&amp;unktion</translation>
+    </message>
+    <message>
+        <source>S&amp;lab</source>
+        <translation>S&amp;cheibe</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Überlagerung</translation>
     </message>
 </context>
 <context>
@@ -2830,18 +3769,6 @@
 <context>
     <name>lacuna::ui::TransferPanel</name>
     <message>
-        <source>Colour…</source>
-        <translation>Farbe…</translation>
-    </message>
-    <message>
-        <source>Add</source>
-        <translation>Hinzufügen</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
         <source>Load…</source>
         <translation>Laden…</translation>
     </message>
@@ -2854,56 +3781,12 @@
         <translation>Transferfunktion</translation>
     </message>
     <message>
-        <source>Choose a preset…</source>
-        <translation>Vorgabe wählen…</translation>
-    </message>
-    <message>
-        <source>Transfer function preset</source>
-        <translation>Vorgabe der Transferfunktion</translation>
-    </message>
-    <message>
-        <source>Value of the selected point</source>
-        <translation>Wert des gewählten Punkts</translation>
-    </message>
-    <message>
-        <source>Opacity of the selected point</source>
-        <translation>Deckkraft des gewählten Punkts</translation>
-    </message>
-    <message>
-        <source>Colour of the selected point</source>
-        <translation>Farbe des gewählten Punkts</translation>
-    </message>
-    <message>
-        <source>Add a point after the selected one</source>
-        <translation>Punkt nach dem gewählten hinzufügen</translation>
-    </message>
-    <message>
-        <source>Remove the selected point</source>
-        <translation>Gewählten Punkt entfernen</translation>
-    </message>
-    <message>
         <source>Load a transfer function file</source>
         <translation>Transferfunktion aus einer Datei laden</translation>
     </message>
     <message>
         <source>Save the transfer function to a file</source>
         <translation>Transferfunktion in eine Datei sichern</translation>
-    </message>
-    <message>
-        <source>Val&amp;ue</source>
-        <translation>&amp;Wert</translation>
-    </message>
-    <message>
-        <source>&amp;Opacity</source>
-        <translation>&amp;Deckkraft</translation>
-    </message>
-    <message>
-        <source>Colour of the point</source>
-        <translation>Farbe des Punkts</translation>
-    </message>
-    <message>
-        <source>Colour of a point</source>
-        <translation>Farbe eines Punkts</translation>
     </message>
     <message>
         <source>Load a transfer function</source>
@@ -2921,6 +3804,90 @@
         <source>Transfer functions (*.json)</source>
         <translation>Transferfunktionen (*.json)</translation>
     </message>
+    <message>
+        <source>Shapes of value and gradient are in use: points give the colours of projections.</source>
+        <translation>Formen aus Wert und Gradient sind an: Punkte geben die Farben der Projektionen.</translation>
+    </message>
+    <message>
+        <source>Lo&amp;g</source>
+        <translation>Lo&amp;g</translation>
+    </message>
+    <message>
+        <source>Whose colours are edited</source>
+        <translation>Wessen Farben bearbeitet werden</translation>
+    </message>
+    <message>
+        <source>The scene&apos;s transfer function, or a segmentation range&apos;s own</source>
+        <translation>Die Transferfunktion der Szene oder die eigene eines Segmentierungsbereichs</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation>Gradient</translation>
+    </message>
+    <message>
+        <source>Value × gradient</source>
+        <translation>Wert × Gradient</translation>
+    </message>
+    <message>
+        <source>What opacity depends on</source>
+        <translation>Wovon die Deckkraft abhängt</translation>
+    </message>
+    <message>
+        <source>Whole volume</source>
+        <translation>Ganzes Volumen</translation>
+    </message>
+    <message>
+        <source>Shown part</source>
+        <translation>Gezeigter Teil</translation>
+    </message>
+    <message>
+        <source>What the histogram counts</source>
+        <translation>Was das Histogramm zählt</translation>
+    </message>
+    <message>
+        <source>Counts all voxels, or those inside the cuts and ranges in use</source>
+        <translation>Zählt alle Voxel oder die innerhalb der Schnitte und Bereiche, die an sind</translation>
+    </message>
+    <message>
+        <source>Logarithmic histogram</source>
+        <translation>Logarithmisches Histogramm</translation>
+    </message>
+    <message>
+        <source>Colour &amp;map</source>
+        <translation>Farb&amp;karte</translation>
+    </message>
+    <message>
+        <source>Give the points the colours of a map</source>
+        <translation>Den Punkten die Farben einer Karte geben</translation>
+    </message>
+    <message>
+        <source>Gives the points the colours of a map: all of them, or those selected where there are several</source>
+        <translation>Gibt den Punkten die Farben einer Karte: allen oder den gewählten, wo es mehrere sind</translation>
+    </message>
+    <message>
+        <source>Reverse the colours</source>
+        <translation>Farben umkehren</translation>
+    </message>
+    <message>
+        <source>Scene&apos;s colours</source>
+        <translation>Farben der Szene</translation>
+    </message>
+    <message>
+        <source>Colours of %1</source>
+        <translation>Farben von %1</translation>
+    </message>
+    <message>
+        <source>Own colours of %1</source>
+        <translation>Eigene Farben von %1</translation>
+    </message>
+    <message>
+        <source>Colour map %1</source>
+        <translation>Farbkarte %1</translation>
+    </message>
 </context>
 <context>
     <name>lacuna::ui::TransferPlot</name>
@@ -2929,16 +3896,23 @@
         <translation>Transferfunktion</translation>
     </message>
     <message>
-        <source>Arrow keys move the selected point, Page Up and Page Down select another, Insert adds one, Delete removes it, Enter chooses its colour.</source>
-        <translation>Pfeiltasten bewegen den gewählten Punkt, Bild auf und Bild ab wählen einen anderen, Einfg fügt einen hinzu, Entf entfernt ihn, Eingabe wählt seine Farbe.</translation>
-    </message>
-    <message>
-        <source>Drag points · double click adds one · Delete removes it · right click chooses its colour · wheel zooms the value axis</source>
-        <translation>Punkte ziehen · Doppelklick fügt einen hinzu · Entf entfernt ihn · Rechtsklick wählt seine Farbe · Rad vergrößert die Wertachse</translation>
-    </message>
-    <message>
         <source>%1 → %2</source>
         <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>Arrow keys move the selected points, Page Up and Page Down select another, Control A all, Insert adds one, Delete removes them, Enter chooses the colour.</source>
+        <translation>Pfeiltasten bewegen die gewählten Punkte, Bild auf und Bild ab wählen einen anderen, Strg A alle, Einfg fügt einen hinzu, Entf entfernt sie, Eingabe wählt die Farbe.</translation>
+    </message>
+    <message>
+        <source>Drag points · drag a box to select several · double click adds one · Delete removes it · right click chooses its colour · wheel zooms the value axis · points snap to peaks and valleys, not with Alt</source>
+        <translation>Punkte ziehen · einen Kasten ziehen, um mehrere zu wählen · Doppelklick fügt einen hinzu · Entf entfernt ihn · Rechtsklick wählt seine Farbe · Rad vergrößert die Wertachse · Punkte rasten an Spitzen und Tälern ein, mit Alt nicht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points selected</source>
+        <translation>
+            <numerusform>%n Punkt gewählt</numerusform>
+            <numerusform>%n Punkte gewählt</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -19,12 +19,32 @@
     </message>
 </context>
 <context>
+    <name>lacuna::ui::MeasureFeature</name>
+    <message numerus="yes">
+        <source>The table of %n measurement(s) is on the clipboard.</source>
+        <translation>
+            <numerusform>The table of %n measurement is on the clipboard.</numerusform>
+            <numerusform>The table of %n measurements is on the clipboard.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>lacuna::ui::TaskList</name>
     <message numerus="yes">
         <source>about %n min left</source>
         <translation>
             <numerusform>about %n min left</numerusform>
             <numerusform>about %n min left</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::TransferPlot</name>
+    <message numerus="yes">
+        <source>%n points selected</source>
+        <translation>
+            <numerusform>%n point selected</numerusform>
+            <numerusform>%n points selected</numerusform>
         </translation>
     </message>
 </context>

@@ -1,5 +1,6 @@
 #include "ui/widgets/shape_plot.h"
 
+#include <QEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -49,6 +50,11 @@ void ShapePlot::setLogarithmic(bool on) {
     makePicture();
 }
 
+void ShapePlot::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) makePicture();  // its colours are the theme's
+    QWidget::changeEvent(event);
+}
+
 void ShapePlot::makePicture() {
     update();
     if (!joint_) return;
@@ -56,7 +62,7 @@ void ShapePlot::makePicture() {
     double most = 1e-9;
     for (const std::uint64_t n : joint_->counts) most = std::max(most, height(n));
     picture_ = QImage(joint_->bins.x, joint_->bins.y, QImage::Format_RGB32);
-    const QColor ground = theme::k_base, ink = theme::k_text;
+    const QColor ground = theme::colors().base, ink = theme::colors().text;
     for (int y = 0; y < joint_->bins.y; ++y)
         for (int x = 0; x < joint_->bins.x; ++x) {
             const std::uint64_t n = joint_->counts[std::size_t(y) * std::size_t(joint_->bins.x) + std::size_t(x)];
@@ -189,7 +195,7 @@ void ShapePlot::removeSelected() {
 void ShapePlot::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), theme::colors().base);
-    painter.fillRect(plotRect(), theme::k_base);
+    painter.fillRect(plotRect(), theme::colors().base);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     if (!picture_.isNull()) painter.drawImage(plotRect(), picture_);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -199,7 +205,7 @@ void ShapePlot::paintEvent(QPaintEvent*) {
         if (i != selected_) paintShape(painter, shapes_[std::size_t(i)], false);
     if (selected_ >= 0) paintShape(painter, shapes_[std::size_t(selected_)], true);
     if (drawn_) {
-        painter.setPen(QPen(theme::k_accent, 1, Qt::DashLine));
+        painter.setPen(QPen(theme::colors().accent, 1, Qt::DashLine));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(drawn_->normalized());
     }
@@ -212,10 +218,10 @@ void ShapePlot::paintShape(QPainter& painter, const TransferShape& shape, bool c
     QColor fill = to_qcolor(shape.color);
     fill.setAlphaF(float(0.15 + 0.6 * shape.opacity));
     painter.setBrush(fill);
-    painter.setPen(QPen(chosen ? theme::k_accent : theme::k_text, chosen ? 2 : 1.2));
+    painter.setPen(QPen(chosen ? theme::colors().accent : theme::colors().text, chosen ? 2 : 1.2));
     painter.drawPolygon(at.data(), 4);
     if (!chosen) return;
-    painter.setBrush(theme::k_text);
+    painter.setBrush(theme::colors().text);
     for (const QPointF& corner : at) painter.drawRect(QRectF(corner - QPointF(4, 4), QSizeF(8, 8)));
 }
 
