@@ -103,6 +103,7 @@ void MainWindow::buildFeatures() {
     session_ = new SessionFeature(*bench_, *inspection_);
     accuracy_ = new AccuracyFeature(*bench_);
     render_panel_->append(accuracy_->budget());
+    limits_ = new LimitsFeature(*bench_);
     settings_ = new SettingsFeature(*bench_);
     connect(settings_, &SettingsFeature::engineChosen, this,
             [this] { startEngine(engine_on(preferences::device().toStdString(), preferences::memory_limit_mib())); });
@@ -114,6 +115,7 @@ void MainWindow::buildFeatures() {
     tabifyDockWidget(regions_->dock(), inspection_->dock());
     tabifyDockWidget(inspection_->dock(), accuracy_->dock());
     tabifyDockWidget(accuracy_->dock(), measure_->dock());
+    tabifyDockWidget(measure_->dock(), limits_->dock());
     regions_->dock()->raise();
     resizeDocks({regions_->dock()}, {190}, Qt::Vertical);
 }

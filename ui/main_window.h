@@ -6,11 +6,12 @@
 #include <QTimer>
 #include <functional>
 
-#include "ui/features/accuracy_feature.h"
 #include "ui/engine_choice.h"
+#include "ui/features/accuracy_feature.h"
 #include "ui/features/help_feature.h"
 #include "ui/features/inspection_feature.h"
 #include "ui/features/layout_feature.h"
+#include "ui/features/limits_feature.h"
 #include "ui/features/measure_feature.h"
 #include "ui/features/patient_feature.h"
 #include "ui/features/cut_feature.h"
@@ -55,6 +56,7 @@ public:
     CutFeature* cuts() const { return cuts_; }
     PickFeature* pick() const { return pick_; }
     HandFeature* hand() const { return hand_; }
+    LimitsFeature* limitsFeature() const { return limits_; }
     FourUp* views() const { return views_; }
     LayoutFeature* layoutFeature() const { return layout_; }
     SettingsFeature* settingsFeature() const { return settings_; }
@@ -128,6 +130,7 @@ private:
     InspectionFeature* inspection_ = nullptr;
     SessionFeature* session_ = nullptr;
     AccuracyFeature* accuracy_ = nullptr;
+    LimitsFeature* limits_ = nullptr;
     SettingsFeature* settings_ = nullptr;
     HelpFeature* help_ = nullptr;
     LayoutFeature* layout_ = nullptr;
