@@ -156,11 +156,12 @@ TEST_P(DicomReport, PassesDciodvfyAndOpensInPydicom) {
             for (std::string line; std::getline(lines, line);)
                 EXPECT_FALSE(line.starts_with("Error")) << name << ": " << line;
         }
-        if (pydicom)
+        if (pydicom) {
             EXPECT_TRUE(runs("/usr/bin/python3 -c \"import pydicom; d = pydicom.dcmread('" + file +
                                  "'); print(d.SOPClassUID, d.StudyInstanceUID)\"",
                              said))
                 << said;
+        }
     }
     if (!validator || !pydicom) GTEST_SKIP() << "skipped in part: dciodvfy or pydicom is not installed";
 }

@@ -25,7 +25,7 @@ struct Surroundings {
     long file_size_limit = 0;  ///< bytes any written file may have; what is over it fails as a full disk does
     int signal = 0;            ///< sent after signal_after_ms
     int signal_after_ms = 0;
-    std::string standard_output;  ///< a file to send standard output to, instead of catching it
+    std::string standard_output = {};  ///< a file to send standard output to, instead of catching it
 };
 
 /// Starts `lacuna` with these words and waits for its end.

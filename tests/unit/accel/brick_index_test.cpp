@@ -46,8 +46,12 @@ TEST(BrickIndex, StatesAreTrueOfEveryStoredVoxel) {
                     for (int x = 0; x < box.size.x; ++x) {
                         const double v = block.value(box.first.x + x, box.first.y + y, box.first.z + z);
                         const BrickState& state = states[std::size_t(b)];
-                        if (state.content == BrickContent::empty) ASSERT_LT(v, iso);
-                        if (state.content == BrickContent::uniform) ASSERT_EQ(v, state.value);
+                        if (state.content == BrickContent::empty) {
+                            ASSERT_LT(v, iso);
+                        }
+                        if (state.content == BrickContent::uniform) {
+                            ASSERT_EQ(v, state.value);
+                        }
                     }
             empty += states[std::size_t(b)].content == BrickContent::empty;
             uniform += states[std::size_t(b)].content == BrickContent::uniform;

@@ -23,7 +23,8 @@ Engine& engine() {
 
 SweepScene small(ViewMode mode, int views = 1) {
     SweepScene made{.name = "ball",
-                    .scene = small_scene(bumpy_ball<std::uint8_t>({24, 23, 22}, {1, 1, 1}, 200), mode, {40, 32})};
+                    .scene = small_scene(bumpy_ball<std::uint8_t>({24, 23, 22}, {1, 1, 1}, 200), mode, {40, 32}),
+                    .views = {}};
     for (int i = 0; i < views; ++i) {
         made.views.push_back(made.scene.camera);
         made.views.back().azimuth_deg = 90.0 * i;
@@ -104,7 +105,7 @@ TEST(Sweep, LosslessStructuresAreWithoutErrorCoarseStepsAreNot) {
 }
 
 TEST(Sweep, ASampleIsHeldAgainstItsFormula) {
-    SweepScene scene{.name = "balls", .step = 0.5};
+    SweepScene scene{.name = "balls", .scene = {}, .views = {}, .step = 0.5};
     const AnalyticSample sample = make_sample("spheres", {.size = 24});
     scene.scene = small_scene(sample.volume, ViewMode::iso, {40, 40});
     scene.scene.iso = 110;

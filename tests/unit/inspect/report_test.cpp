@@ -128,7 +128,9 @@ void hold_to_schema(const nlohmann::json& value, const nlohmann::json& schema, c
         return hold_to_schema(value, root["$defs"][ref.substr(8)], root, at);
     }
     if (schema.contains("required"))
-        for (const auto& key : schema["required"]) EXPECT_TRUE(value.contains(key)) << at << " lacks " << key;
+        for (const auto& key : schema["required"]) {
+            EXPECT_TRUE(value.contains(key)) << at << " lacks " << key;
+        }
     if (schema.contains("enum")) {
         const auto& list = schema["enum"];
         EXPECT_NE(std::find(list.begin(), list.end(), value), list.end()) << at << ": " << value;

@@ -21,6 +21,7 @@ TEST(PlanJson, EveryChoiceComesBack) {
                  .sparse_gradient = 0.1,
                  .directions = 6,
                  .voxel_gradient = VoxelGradient::gaussian,
+                 .leap = {},
                  .why = {"because"}};
     const std::string text = to_json(made);
     const ModePlan back = plan_from_json(text, "test");
