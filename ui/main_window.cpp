@@ -100,6 +100,7 @@ void MainWindow::buildFeatures() {
     connect(pick_, &PickFeature::readOutEnded, this, &MainWindow::readOutCursor);
     regions_ = new RegionsFeature(*bench_);
     inspection_ = new InspectionFeature(*bench_);
+    batch_ = new BatchFeature(*bench_);
     session_ = new SessionFeature(*bench_, *inspection_);
     accuracy_ = new AccuracyFeature(*bench_);
     render_panel_->append(accuracy_->budget());

@@ -9,6 +9,7 @@
 #include "ui/engine_choice.h"
 #include "ui/features/accuracy_feature.h"
 #include "ui/features/help_feature.h"
+#include "ui/features/batch_feature.h"
 #include "ui/features/inspection_feature.h"
 #include "ui/features/layout_feature.h"
 #include "ui/features/limits_feature.h"
@@ -48,6 +49,7 @@ public:
     FrameScheduler* scheduler() const { return scheduler_; }
     RegionsFeature* regions() const { return regions_; }
     InspectionFeature* inspection() const { return inspection_; }
+    BatchFeature* batch() const { return batch_; }
     SessionFeature* session() const { return session_; }
     AccuracyFeature* accuracy() const { return accuracy_; }
     MeasureFeature* measure() const { return measure_; }
@@ -128,6 +130,7 @@ private:
     QDockWidget* scene_dock_ = nullptr;
     RegionsFeature* regions_ = nullptr;
     InspectionFeature* inspection_ = nullptr;
+    BatchFeature* batch_ = nullptr;
     SessionFeature* session_ = nullptr;
     AccuracyFeature* accuracy_ = nullptr;
     LimitsFeature* limits_ = nullptr;
