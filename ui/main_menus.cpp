@@ -51,9 +51,6 @@ void MainWindow::buildFileMenu() {
                           [this, text] { openInput(QStringLiteral("sample:") + text); });
     }
     file->addSeparator();
-    offer_tool(bench_->add(bench_->submenu(Menu::file, tr("&Export")), tr("The 3D &picture…"),
-                           QKeySequence(QStringLiteral("Ctrl+Shift+P")), this, &MainWindow::savePicture),
-               ToolGroup::document, Icon::picture, tr("Picture"));
 }
 
 void MainWindow::buildEditMenu() {
@@ -179,21 +176,6 @@ void MainWindow::openFile() {
         tr("Volumes (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif *.tiff);;"
            "All files (*)"));
     if (!file.isEmpty()) openInput(file);
-}
-
-void MainWindow::savePicture() {
-    const QString file = QFileDialog::getSaveFileName(
-        this, tr("Save the 3D picture"), preferences::save_path(QStringLiteral("lacuna.png")), tr("Pictures (*.png)"));
-    if (file.isEmpty()) return;
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    views_->volumeView()->grab().save(&buffer, "PNG");
-    try {
-        write_file(file.toStdString(), std::string_view(bytes.constData(), std::size_t(bytes.size())));
-    } catch (const Error& error) {
-        messages_->showError(QString::fromStdString(error.what()));
-    }
 }
 
 }  // namespace lacuna::ui

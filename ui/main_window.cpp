@@ -98,6 +98,7 @@ void MainWindow::buildFeatures() {
     pick_ = new PickFeature(*bench_, cuts_);
     connect(pick_, &PickFeature::readOut, this, &MainWindow::readOut);
     connect(pick_, &PickFeature::readOutEnded, this, &MainWindow::readOutCursor);
+    exports_ = new ExportFeature(*bench_);
     regions_ = new RegionsFeature(*bench_);
     inspection_ = new InspectionFeature(*bench_);
     batch_ = new BatchFeature(*bench_);

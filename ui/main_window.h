@@ -8,15 +8,16 @@
 
 #include "ui/engine_choice.h"
 #include "ui/features/accuracy_feature.h"
-#include "ui/features/help_feature.h"
 #include "ui/features/batch_feature.h"
+#include "ui/features/cut_feature.h"
+#include "ui/features/export_feature.h"
+#include "ui/features/hand_feature.h"
+#include "ui/features/help_feature.h"
 #include "ui/features/inspection_feature.h"
 #include "ui/features/layout_feature.h"
 #include "ui/features/limits_feature.h"
 #include "ui/features/measure_feature.h"
 #include "ui/features/patient_feature.h"
-#include "ui/features/cut_feature.h"
-#include "ui/features/hand_feature.h"
 #include "ui/features/pick_feature.h"
 #include "ui/features/regions_feature.h"
 #include "ui/features/session_feature.h"
@@ -49,6 +50,7 @@ public:
     FrameScheduler* scheduler() const { return scheduler_; }
     RegionsFeature* regions() const { return regions_; }
     InspectionFeature* inspection() const { return inspection_; }
+    ExportFeature* exports() const { return exports_; }
     BatchFeature* batch() const { return batch_; }
     SessionFeature* session() const { return session_; }
     AccuracyFeature* accuracy() const { return accuracy_; }
@@ -77,7 +79,6 @@ public Q_SLOTS:
     void openInput(const QString& input);
     void openFolder();
     void openFile();
-    void savePicture();
 
 protected:
     void dragEnterEvent(QDragEnterEvent*) override;
@@ -130,6 +131,7 @@ private:
     QDockWidget* scene_dock_ = nullptr;
     RegionsFeature* regions_ = nullptr;
     InspectionFeature* inspection_ = nullptr;
+    ExportFeature* exports_ = nullptr;
     BatchFeature* batch_ = nullptr;
     SessionFeature* session_ = nullptr;
     AccuracyFeature* accuracy_ = nullptr;

@@ -12,7 +12,8 @@ int main(int argc, char** argv) {
     if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
     // Nobody's own preferences and sessions are read or changed.
     const QTemporaryDir preferences;
-    qputenv("XDG_DATA_HOME", preferences.path().toUtf8());
+    const QByteArray home = qgetenv("LACUNA_TEST_HOME");  // of a test that starts this program again
+    qputenv("XDG_DATA_HOME", home.isEmpty() ? preferences.path().toUtf8() : home);
     QApplication application(argc, argv);
     testing::InitGoogleTest(&argc, argv);
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, preferences.path());

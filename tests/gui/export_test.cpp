@@ -1,0 +1,72 @@
+// What leaves the window as a file.
+#include <QClipboard>
+#include <QDir>
+#include <QTemporaryDir>
+
+#include "core/io/volume_reader.h"
+#include "window_fixture.h"
+
+namespace lacuna::ui::test {
+namespace {
+
+class ExportTest : public WindowTest {
+protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        open(k_casting);
+    }
+    ExportFeature* exports() const { return window->exports(); }
+    QString path(const char* name) const { return folder.filePath(QLatin1String(name)); }
+    /// Runs an export and waits until its file is told.
+    template <class Start>
+    bool wrote(Start&& start) {
+        QSignalSpy written(exports(), &ExportFeature::written);
+        start();
+        return written.count() > 0 || written.wait(k_patience_ms);
+    }
+    QTemporaryDir folder;
+};
+
+TEST_F(ExportTest, ThePictureIsTheOneShown) {
+    ASSERT_TRUE(wrote([this] { exports()->savePicture(path("a.png"), false); }));
+    EXPECT_EQ(QImage(path("a.png")).size(), picture().size());
+    EXPECT_LT(difference(QImage(path("a.png")), picture()), 0.001);
+    window->views()->slice(SliceKind::axial)->setFocus();
+    ASSERT_TRUE(wrote([this] { exports()->savePicture(path("b.png"), true); }));
+    ASSERT_TRUE(wrote([this] { exports()->savePicture(path("c.png"), false); }));
+    const QImage with(path("b.png")), without(path("c.png"));
+    EXPECT_EQ(with.size(), without.size());
+    EXPECT_GT(difference(with, without), 0.001);
+}
+
+TEST_F(ExportTest, AnEndingThatIsNoPictureIsSaid) {
+    exports()->savePicture(path("a.bmp"), true);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window->messageBar()->text().contains(QStringLiteral(".png")); },
+                                k_patience_ms));
+    EXPECT_FALSE(QFile::exists(path("a.bmp")));
+}
+
+TEST_F(ExportTest, ATurntableTurnsOnce) {
+    window->bench()->edit(QStringLiteral("Mode"), [](ViewSettings& s) { s.mode = ViewMode::mip; });
+    settle();
+    ASSERT_TRUE(wrote([this] { exports()->saveTurntable(path("turn.png"), 4); }));
+    EXPECT_EQ(QDir(folder.path()).entryList({QStringLiteral("turn-*.png")}).size(), 4);
+    const QImage front(path("turn-000.png")), side(path("turn-001.png"));
+    EXPECT_GT(lit(front), 0.02);
+    EXPECT_GT(difference(front, side), 0.01);
+}
+
+TEST_F(ExportTest, SurfaceAndVolumeAreWritten) {
+    ASSERT_TRUE(wrote([this] { exports()->saveMesh(path("surface.stl")); }));
+    EXPECT_GT(QFileInfo(path("surface.stl")).size(), 1000);
+    ASSERT_TRUE(wrote([this] { exports()->saveVolume(path("volume.nrrd")); }));
+    EXPECT_EQ(voxel_sha256(open_volume(path("volume.nrrd").toStdString())), voxel_sha256(document().volume));
+}
+
+TEST_F(ExportTest, TheClipboardGetsTheView) {
+    exports()->copyPicture();
+    EXPECT_FALSE(QGuiApplication::clipboard()->image().isNull());
+}
+
+}  // namespace
+}  // namespace lacuna::ui::test

@@ -1,0 +1,93 @@
+#include "ui/turntable.h"
+
+#include <QBuffer>
+#include <QFileInfo>
+#include <QImage>
+#include <QPainter>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+#include "core/base/atomic_file.h"
+#include "ui/frame_scheduler.h"
+
+namespace lacuna::ui {
+
+namespace {
+
+void write_png_file(const QImage& image, const QString& file) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    write_file(file.toStdString(), {bytes.constData(), std::size_t(bytes.size())});
+}
+
+/// STEM-000.png and so on, with as many digits as the last one needs.
+QString frame_name(const QString& stem, int number, int frames) {
+    const int digits = std::max(3, int(QString::number(frames - 1).size()));
+    return QStringLiteral("%1-%2.png").arg(stem).arg(number, digits, 10, QLatin1Char('0'));
+}
+
+void draw_frames(const Turntable& table, const QString& stem, Engine& engine, const JobContext& job) {
+    for (int i = 0; i < table.frames; ++i) {
+        Scene scene = table.scene;
+        scene.camera.azimuth_deg += 360.0 * i / table.frames;
+        const Frame frame = engine.render(scene, table.plan, {job.stop, nullptr}).frame;
+        const QImage seen = to_image(frame);
+        QImage image(seen.size(), QImage::Format_RGB32);
+        image.fill(Qt::black);
+        QPainter(&image).drawImage(0, 0, seen);
+        write_png_file(image, frame_name(stem, i, table.frames));
+        job.checkpoint(std::size_t(i) + 1, std::size_t(table.frames));
+    }
+}
+
+void encode_film(const Turntable& table, const QString& stem, const QString& target, const JobContext& job) {
+    const int digits = std::max(3, int(QString::number(table.frames - 1).size()));
+    QStringList words{QStringLiteral("-y"),
+                      QStringLiteral("-loglevel"),
+                      QStringLiteral("error"),
+                      QStringLiteral("-framerate"),
+                      QStringLiteral("24"),
+                      QStringLiteral("-i"),
+                      QStringLiteral("%1-%0%2d.png").arg(stem).arg(digits)};
+    const bool webm = table.file.endsWith(QStringLiteral(".webm"), Qt::CaseInsensitive);
+    words << QStringLiteral("-c:v") << (webm ? QStringLiteral("libvpx-vp9") : QStringLiteral("libx264"))
+          << QStringLiteral("-pix_fmt") << QStringLiteral("yuv420p") << target;
+    QProcess ffmpeg;
+    ffmpeg.start(film_encoder(), words);
+    while (!ffmpeg.waitForFinished(30)) {
+        if (ffmpeg.state() == QProcess::NotRunning) break;
+        if (!job.stopped()) continue;
+        ffmpeg.kill();
+        ffmpeg.waitForFinished();
+        job.check();
+    }
+    if (ffmpeg.exitStatus() != QProcess::NormalExit || ffmpeg.exitCode() != 0)
+        throw Error(Errc::unsupported,
+                    "ffmpeg could not make the film: " +
+                        QString::fromLocal8Bit(ffmpeg.readAllStandardError()).trimmed().toStdString());
+}
+
+}  // namespace
+
+QString film_encoder() { return QStandardPaths::findExecutable(QStringLiteral("ffmpeg")); }
+
+void write_turntable(const Turntable& table, Engine& engine, const JobContext& job) {
+    const QFileInfo info(table.file);
+    if (info.suffix().compare(QStringLiteral("png"), Qt::CaseInsensitive) == 0)
+        return draw_frames(table, info.path() + QLatin1Char('/') + info.completeBaseName(), engine, job);
+    if (film_encoder().isEmpty())
+        throw Error(Errc::unsupported, "A film needs the program ffmpeg, which is not there; save pictures (.png).");
+    QTemporaryDir folder;
+    if (!folder.isValid())
+        throw Error(Errc::io, "There is no place for the film's pictures: " + folder.errorString().toStdString() + ".");
+    const QString stem = folder.filePath(QStringLiteral("frame"));
+    draw_frames(table, stem, engine, job.part(0, 0.9));
+    AtomicFile target(table.file.toStdString());
+    encode_film(table, stem, QString::fromStdString(target.path().string()), job);
+    target.commit();
+}
+
+}  // namespace lacuna::ui
