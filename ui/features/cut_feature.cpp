@@ -55,7 +55,8 @@ void CutFeature::buildMenu() {
     in_view(bench_.add(menu, tr("F&lip the plane"), key("Shift+C"), panel_, &CutsPanel::flipCurrent), true);
     open_ = in_view(bench_.add(menu, tr("Data values on the cut face (ca&p)"), key("O"), this,
                                [this](bool cap) {
-                                   editCut(CutsPanel::tr("Cut face"), [cap](CutSetting& cut) { cut.plane.cap = cap; });
+                                   editCut(CutsPanel::tr("Cut face"),
+                                           [cap](CutSetting& chosen) { chosen.plane.cap = cap; });
                                }),
                     true);
     open_->setCheckable(true);
