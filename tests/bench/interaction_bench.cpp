@@ -42,7 +42,7 @@ double median(std::vector<double> values) {
 
 struct Hand {
     MainWindow& window;
-    VolumeView* view = window.views()->volumeView();
+    lacuna::ui::VolumeView* view = window.views()->volumeView();
     Qt::MouseButton button = Qt::LeftButton;
     Qt::KeyboardModifiers modifiers = Qt::NoModifier;
 
