@@ -1451,6 +1451,60 @@
     </message>
 </context>
 <context>
+    <name>lacuna::ui::LimitsFeature</name>
+    <message>
+        <source>Refused</source>
+        <translation>Abgelehnt</translation>
+    </message>
+    <message>
+        <source>Detected</source>
+        <translation>Erkannt</translation>
+    </message>
+    <message>
+        <source>Corrected</source>
+        <translation>Behoben</translation>
+    </message>
+    <message>
+        <source>Bounded</source>
+        <translation>Begrenzt</translation>
+    </message>
+    <message>
+        <source>What is done:</source>
+        <translation>Was dagegen getan wird:</translation>
+    </message>
+    <message>
+        <source>How far off:</source>
+        <translation>Wie weit daneben:</translation>
+    </message>
+    <message>
+        <source>Where this method fails</source>
+        <translation>Wo dieses Verfahren versagt</translation>
+    </message>
+    <message>
+        <source>Where this &amp;method fails</source>
+        <translation>Wo dieses &amp;Verfahren versagt</translation>
+    </message>
+    <message>
+        <source>Looking at what of this the volume holds…</source>
+        <translation>Es wird nachgesehen, was davon im Volumen vorkommt…</translation>
+    </message>
+    <message>
+        <source>The scene on screen meets none of these failures, as far as facts about its voxels tell.</source>
+        <translation>Die Szene auf dem Schirm trifft keine dieser Schwächen, soweit Messungen an ihren Voxeln das sagen.</translation>
+    </message>
+    <message>
+        <source>Known of this way of drawing, and not met here:</source>
+        <translation>Von dieser Art zu zeichnen bekannt, hier nicht getroffen:</translation>
+    </message>
+    <message numerus="yes">
+        <source>The scene on screen meets %n of these failures:</source>
+        <translation>
+            <numerusform>Die Szene auf dem Schirm trifft %n dieser Schwächen:</numerusform>
+            <numerusform>Die Szene auf dem Schirm trifft %n dieser Schwächen:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>lacuna::ui::LogStore</name>
     <message>
         <source>detail</source>

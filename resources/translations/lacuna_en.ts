@@ -19,6 +19,16 @@
     </message>
 </context>
 <context>
+    <name>lacuna::ui::LimitsFeature</name>
+    <message numerus="yes">
+        <source>The scene on screen meets %n of these failures:</source>
+        <translation>
+            <numerusform>The scene on screen meets %n of these failures:</numerusform>
+            <numerusform>The scene on screen meets %n of these failures:</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>lacuna::ui::MeasureFeature</name>
     <message numerus="yes">
         <source>The table of %n measurement(s) is on the clipboard.</source>

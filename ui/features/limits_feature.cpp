@@ -72,7 +72,7 @@ LimitsFeature::LimitsFeature(Workbench& bench)
     text_->document()->setDocumentMargin(10);
     bench.needDocument(text_);
     dock_->hide();
-    bench.add(bench.menu(Workbench::Menu::help), tr("Where this method &fails"),
+    bench.add(bench.menu(Workbench::Menu::help), tr("Where this &method fails"),
               QKeySequence(QStringLiteral("Ctrl+F1")), this, &LimitsFeature::show);
     connect(dock_, &QDockWidget::visibilityChanged, this, &LimitsFeature::refresh);
     connect(bench.scheduler(), &FrameScheduler::frameReady, this, [this](const QImage&, const FrameFacts& facts) {
