@@ -1,5 +1,7 @@
 // Sessions: saved, opened, saved by themselves, and taken up again after a crash.
+#include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QPushButton>
 #include <QTemporaryDir>
 
@@ -11,6 +13,11 @@ namespace {
 
 class SessionTest : public WindowTest {
 protected:
+    void SetUp() override {
+        for (const QFileInfo& file : SessionFeature::autosaveFolder().entryInfoList(QDir::Files))
+            QFile::remove(file.filePath());
+        WindowTest::SetUp();
+    }
     SessionFeature* session() const { return window->session(); }
 
     void changeThings() {
@@ -35,7 +42,7 @@ protected:
     }
     void anotherWindow() {
         window.reset();
-        SetUp();
+        WindowTest::SetUp();
     }
     /// A volume file of the test's own.
     QString writeData(float value) {

@@ -58,10 +58,10 @@ protected:
     /// Looks, colours, cuts and measures; what the session has to bring back.
     void work() {
         choose("Bone");
-        choose("MIP");
+        choose("Maximum projection (MIP)");
         settle();
         const QImage mip = picture();
-        choose("EA");
+        choose("Volume (emission–absorption)");
         settle();
         EXPECT_GT(difference(mip, picture()), 0.02);
         shot("walk-2-look");
@@ -77,7 +77,7 @@ protected:
         SliceView* axial = window->views()->slice(SliceKind::axial);
         const QRectF at = axial->pictureRect();
         drag(axial, at.center() - QPointF(0.2 * at.width(), 0), at.center() + QPointF(0.2 * at.width(), 0));
-        ASSERT_EQ(document().settings.measurements.size(), 1u);
+        ASSERT_EQ(document().settings.measurements.size(), 1u) << at.width() << " wide, " << axial->width();
         choose("Cross-hair");
         shot("walk-4-measure");
     }

@@ -9,7 +9,7 @@ BatchFeature::BatchFeature(Workbench& bench) : QObject(&bench), bench_(bench) {
     connect(&bench, &Workbench::engineReady, this,
             [this] { on_device_ = bench_.engine()->device_name() != Engine(nullptr).device_name(); });
     bench.addAlways(bench.menu(Workbench::Menu::tools), tr("Inspect a &series of parts…"),
-                    QKeySequence(QStringLiteral("Ctrl+Shift+I")), this, [this] {
+                    QKeySequence(QStringLiteral("Ctrl+Alt+I")), this, [this] {
                         dialog()->show();
                         dialog()->raise();
                         dialog()->activateWindow();

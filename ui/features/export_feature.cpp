@@ -44,7 +44,7 @@ void ExportFeature::buildMenu() {
     offer_tool(bench_.add(menu, tr("&Picture of the view…"), QKeySequence(QStringLiteral("Ctrl+Shift+P")), this,
                           [this] { askPicture(true); }),
                ToolGroup::document, Icon::picture, tr("Picture"));
-    bench_.add(menu, tr("Picture &without words and marks…"), QKeySequence(QStringLiteral("Ctrl+Alt+P")), this,
+    bench_.add(menu, tr("Picture &without words and marks…"), QKeySequence(QStringLiteral("Ctrl+Alt+Shift+P")), this,
                [this] { askPicture(false); });
     bench_.add(menu, tr("&Turntable…"), QKeySequence(QStringLiteral("Ctrl+Alt+T")), this, [this] {
         const QString file = QFileDialog::getSaveFileName(
