@@ -1278,6 +1278,53 @@
     </message>
 </context>
 <context>
+    <name>lacuna::ui::BoxPanel</name>
+    <message>
+        <source>Switch the box</source>
+        <translation>Kasten schalten</translation>
+    </message>
+    <message>
+        <source>Show a box of the volume alone</source>
+        <translation>Nur einen Kasten des Volumens zeigen</translation>
+    </message>
+    <message>
+        <source>Data values on the box&apos;s sides</source>
+        <translation>Messwerte auf den Seiten des Kastens</translation>
+    </message>
+    <message>
+        <source>Whole volume</source>
+        <translation>Ganzes Volumen</translation>
+    </message>
+    <message>
+        <source>Cuts away what lies outside the box; drag its sides in the 3D view</source>
+        <translation>Schneidet weg, was außerhalb des Kastens liegt; seine Seiten in der 3D-Ansicht ziehen</translation>
+    </message>
+    <message>
+        <source>Show data values on the box&apos;s sides</source>
+        <translation>Messwerte auf den Seiten des Kastens zeigen</translation>
+    </message>
+    <message>
+        <source>Off: the box is open and inner surfaces show</source>
+        <translation>Aus: der Kasten ist offen und innere Flächen sind zu sehen</translation>
+    </message>
+    <message>
+        <source>Make the box as large as the volume</source>
+        <translation>Kasten so groß wie das Volumen machen</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Kasten</translation>
+    </message>
+    <message>
+        <source>Sides of the box</source>
+        <translation>Seiten des Kastens</translation>
+    </message>
+    <message>
+        <source>Ends of the box from %1, in voxels</source>
+        <translation>Enden des Kastens von %1, in Voxeln</translation>
+    </message>
+</context>
+<context>
     <name>lacuna::ui::BudgetPanel</name>
     <message>
         <source>Fastest: a frame in 33 ms</source>
@@ -1503,6 +1550,108 @@
     <message>
         <source>Zones: %1</source>
         <translation>Zonen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::CutFeature</name>
+    <message>
+        <source>&amp;Cutting planes</source>
+        <translation>&amp;Schnittebenen</translation>
+    </message>
+    <message>
+        <source>&amp;Add a cutting plane</source>
+        <translation>Schnittebene &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Cut here, &amp;facing the viewer</source>
+        <translation>Hier schneiden, dem &amp;Betrachter zugewandt</translation>
+    </message>
+    <message>
+        <source>Choose the &amp;next plane</source>
+        <translation>&amp;Nächste Ebene wählen</translation>
+    </message>
+    <message>
+        <source>F&amp;lip the plane</source>
+        <translation>Seite der Ebene &amp;wechseln</translation>
+    </message>
+    <message>
+        <source>Data values on the cut face (ca&amp;p)</source>
+        <translation>&amp;Messwerte auf der Schnittfläche</translation>
+    </message>
+    <message>
+        <source>&amp;Remove the plane</source>
+        <translation>Ebene &amp;entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Move and tilt the plane</source>
+        <translation>Ebene &amp;verschieben und kippen</translation>
+    </message>
+    <message>
+        <source>Cut away &amp;more</source>
+        <translation>&amp;Mehr wegschneiden</translation>
+    </message>
+    <message>
+        <source>Cut away &amp;less</source>
+        <translation>&amp;Weniger wegschneiden</translation>
+    </message>
+    <message>
+        <source>Cut away much more</source>
+        <translation>Viel mehr wegschneiden</translation>
+    </message>
+    <message>
+        <source>Cut away much less</source>
+        <translation>Viel weniger wegschneiden</translation>
+    </message>
+    <message>
+        <source>Tilt to the left</source>
+        <translation>Nach links kippen</translation>
+    </message>
+    <message>
+        <source>Tilt to the right</source>
+        <translation>Nach rechts kippen</translation>
+    </message>
+    <message>
+        <source>Tilt up</source>
+        <translation>Nach oben kippen</translation>
+    </message>
+    <message>
+        <source>Tilt down</source>
+        <translation>Nach unten kippen</translation>
+    </message>
+    <message>
+        <source>Show a &amp;box of the volume alone</source>
+        <translation>Nur einen &amp;Kasten des Volumens zeigen</translation>
+    </message>
+    <message>
+        <source>Show &amp;handles in the 3D view</source>
+        <translation>&amp;Griffe in der 3D-Ansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Move a cut</source>
+        <translation>Schnitt verschieben</translation>
+    </message>
+    <message>
+        <source>Tilt a cut</source>
+        <translation>Schnitt kippen</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::CutTool</name>
+    <message>
+        <source>Box</source>
+        <translation>Kasten</translation>
+    </message>
+    <message>
+        <source>Tilt a cut</source>
+        <translation>Schnitt kippen</translation>
+    </message>
+    <message>
+        <source>Move a cut</source>
+        <translation>Schnitt verschieben</translation>
     </message>
 </context>
 <context>
@@ -1969,6 +2118,37 @@
     <message>
         <source>No opacity by gradient</source>
         <translation>Keine Deckkraft nach Gradient</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::HandFeature</name>
+    <message>
+        <source>Turn freel&amp;y (arcball)</source>
+        <translation>&amp;Frei drehen (Arcball)</translation>
+    </message>
+    <message>
+        <source>Le&amp;vels of the 3D view</source>
+        <translation>&amp;Pegel der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Lower: more is seen</source>
+        <translation>&amp;Tiefer: mehr ist zu sehen</translation>
+    </message>
+    <message>
+        <source>&amp;Higher: less is seen</source>
+        <translation>&amp;Höher: weniger ist zu sehen</translation>
+    </message>
+    <message>
+        <source>&amp;Wider</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>&amp;Narrower</source>
+        <translation>&amp;Enger</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Pegel</translation>
     </message>
 </context>
 <context>
@@ -2532,14 +2712,6 @@
         <translation>Bereich</translation>
     </message>
     <message>
-        <source>Add a &amp;cutting plane</source>
-        <translation>&amp;Schnittebene hinzufügen</translation>
-    </message>
-    <message>
-        <source>Cut</source>
-        <translation>Schnitt</translation>
-    </message>
-    <message>
         <source>Open a folder of DICOM files or TIFF slices</source>
         <translation>Ordner mit DICOM-Dateien oder TIFF-Schichten öffnen</translation>
     </message>
@@ -2820,6 +2992,53 @@
     <message>
         <source>%1[*] — Lacuna</source>
         <translation>%1[*] — Lacuna</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::PickFeature</name>
+    <message>
+        <source>&amp;Point in the 3D view</source>
+        <translation>P&amp;unkt in der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Read out the point in the middle</source>
+        <translation>Punkt in der Mitte &amp;ablesen</translation>
+    </message>
+    <message>
+        <source>&amp;Slices through the point in the middle</source>
+        <translation>&amp;Schichten durch den Punkt in der Mitte</translation>
+    </message>
+    <message>
+        <source>&amp;Focus on the point in the middle</source>
+        <translation>Auf den Punkt in der Mitte scharf &amp;stellen</translation>
+    </message>
+    <message>
+        <source>&amp;Turn about the point marked</source>
+        <translation>Um den markierten Punkt &amp;drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Unmark the point</source>
+        <translation>&amp;Markierung löschen</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Schärfe</translation>
+    </message>
+    <message>
+        <source>&amp;Slices through this point</source>
+        <translation>&amp;Schichten durch diesen Punkt</translation>
+    </message>
+    <message>
+        <source>&amp;Turn about this point</source>
+        <translation>Um diesen Punkt &amp;drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Focus here</source>
+        <translation>Hier scharf s&amp;tellen</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the view</source>
+        <translation>Ansicht &amp;zurücksetzen</translation>
     </message>
 </context>
 <context>
@@ -3594,10 +3813,6 @@
         <translation>Farben der Transferfunktion</translation>
     </message>
     <message>
-        <source>Skip empty space</source>
-        <translation>Leeren Raum überspringen</translation>
-    </message>
-    <message>
         <source>View mode</source>
         <translation>Darstellungsart</translation>
     </message>
@@ -3634,10 +3849,6 @@
         <translation>Abstand der Abtastpunkte des stehenden Bilds, in Voxeln</translation>
     </message>
     <message>
-        <source>Off: every sample is taken; the picture is the same, only slower</source>
-        <translation>Aus: jeder Abtastpunkt wird genommen; das Bild ist dasselbe, nur langsamer</translation>
-    </message>
-    <message>
         <source>&amp;Mode</source>
         <translation>&amp;Art</translation>
     </message>
@@ -3662,8 +3873,28 @@
         <translation>Projektionsfarben</translation>
     </message>
     <message>
-        <source>Empty-space skipping</source>
-        <translation>Überspringen</translation>
+        <source>Automatic</source>
+        <translation>Selbsttätig</translation>
+    </message>
+    <message>
+        <source>Acceleration structure</source>
+        <translation>Beschleunigungsstruktur</translation>
+    </message>
+    <message>
+        <source>What lets rays jump over empty space; the picture is the same with each</source>
+        <translation>Was Strahlen leeren Raum überspringen lässt; das Bild ist mit jeder dasselbe</translation>
+    </message>
+    <message>
+        <source>S&amp;tructure</source>
+        <translation>St&amp;ruktur</translation>
+    </message>
+    <message>
+        <source>Structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>Automatic (%1)</source>
+        <translation>Selbsttätig (%1)</translation>
     </message>
 </context>
 <context>
