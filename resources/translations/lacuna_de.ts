@@ -255,6 +255,70 @@
         <source>End measuring</source>
         <translation>Messen beenden</translation>
     </message>
+    <message>
+        <source>Click</source>
+        <translation>Klick</translation>
+    </message>
+    <message>
+        <source>Mark the point and read it out</source>
+        <translation>Punkt markieren und ablesen</translation>
+    </message>
+    <message>
+        <source>Shift+click, Shift+moving</source>
+        <translation>Umschalt+Klick, Umschalt+Bewegen</translation>
+    </message>
+    <message>
+        <source>Slices through the point</source>
+        <translation>Schichten durch den Punkt</translation>
+    </message>
+    <message>
+        <source>Right click</source>
+        <translation>Rechtsklick</translation>
+    </message>
+    <message>
+        <source>Menu of the point</source>
+        <translation>Menü des Punkts</translation>
+    </message>
+    <message>
+        <source>Ctrl+right drag</source>
+        <translation>Strg+rechts ziehen</translation>
+    </message>
+    <message>
+        <source>Levels: up and down higher or lower, sideways wider or narrower</source>
+        <translation>Pegel: auf und ab höher oder tiefer, seitwärts weiter oder enger</translation>
+    </message>
+    <message>
+        <source>Left drag of a plane&apos;s arrow, disc or outline</source>
+        <translation>Pfeil, Scheibe oder Umriss einer Ebene links ziehen</translation>
+    </message>
+    <message>
+        <source>Move the plane</source>
+        <translation>Ebene verschieben</translation>
+    </message>
+    <message>
+        <source>Left drag of a plane&apos;s round handle, with Ctrl to axes and diagonals</source>
+        <translation>Runden Griff einer Ebene links ziehen, mit Strg zu Achsen und Diagonalen</translation>
+    </message>
+    <message>
+        <source>Tilt the plane</source>
+        <translation>Ebene kippen</translation>
+    </message>
+    <message>
+        <source>Left drag of the box&apos;s square handles</source>
+        <translation>Eckige Griffe des Kastens links ziehen</translation>
+    </message>
+    <message>
+        <source>Move a side of the box or all of it</source>
+        <translation>Eine Seite des Kastens oder ihn ganz verschieben</translation>
+    </message>
+    <message>
+        <source>Drag of a box, Ctrl+A</source>
+        <translation>Kasten ziehen, Strg+A</translation>
+    </message>
+    <message>
+        <source>Choose several points</source>
+        <translation>Mehrere Punkte wählen</translation>
+    </message>
 </context>
 <context>
     <name>Limits</name>
