@@ -200,7 +200,8 @@ template <class T>
 bool PacsDialog::failed(const Outcome<T>& outcome) {
     const Error* error = std::get_if<Error>(&outcome);
     if (!error) return false;
-    status_->setText(error->code() == Errc::cancelled ? tr("Cancelled.") : QString::fromStdString(error->what()));
+    status_->setText(error->code() == Errc::cancelled ? PacsDialog::tr("Cancelled.")
+                                                      : QString::fromStdString(error->what()));
     return true;
 }
 

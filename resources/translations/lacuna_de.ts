@@ -256,60 +256,12 @@
         <translation>Messen beenden</translation>
     </message>
     <message>
-        <source>Click</source>
-        <translation>Klick</translation>
-    </message>
-    <message>
-        <source>Mark the point and read it out</source>
-        <translation>Punkt markieren und ablesen</translation>
-    </message>
-    <message>
-        <source>Shift+click, Shift+moving</source>
-        <translation>Umschalt+Klick, Umschalt+Bewegen</translation>
-    </message>
-    <message>
-        <source>Slices through the point</source>
-        <translation>Schichten durch den Punkt</translation>
-    </message>
-    <message>
         <source>Right click</source>
         <translation>Rechtsklick</translation>
     </message>
     <message>
-        <source>Menu of the point</source>
-        <translation>Menü des Punkts</translation>
-    </message>
-    <message>
         <source>Ctrl+right drag</source>
         <translation>Strg+rechts ziehen</translation>
-    </message>
-    <message>
-        <source>Levels: up and down higher or lower, sideways wider or narrower</source>
-        <translation>Pegel: auf und ab höher oder tiefer, seitwärts weiter oder enger</translation>
-    </message>
-    <message>
-        <source>Left drag of a plane&apos;s arrow, disc or outline</source>
-        <translation>Pfeil, Scheibe oder Umriss einer Ebene links ziehen</translation>
-    </message>
-    <message>
-        <source>Move the plane</source>
-        <translation>Ebene verschieben</translation>
-    </message>
-    <message>
-        <source>Left drag of a plane&apos;s round handle, with Ctrl to axes and diagonals</source>
-        <translation>Runden Griff einer Ebene links ziehen, mit Strg zu Achsen und Diagonalen</translation>
-    </message>
-    <message>
-        <source>Tilt the plane</source>
-        <translation>Ebene kippen</translation>
-    </message>
-    <message>
-        <source>Left drag of the box&apos;s square handles</source>
-        <translation>Eckige Griffe des Kastens links ziehen</translation>
-    </message>
-    <message>
-        <source>Move a side of the box or all of it</source>
-        <translation>Eine Seite des Kastens oder ihn ganz verschieben</translation>
     </message>
     <message>
         <source>Drag of a box, Ctrl+A</source>
@@ -319,816 +271,53 @@
         <source>Choose several points</source>
         <translation>Mehrere Punkte wählen</translation>
     </message>
-</context>
-<context>
-    <name>Limits</name>
     <message>
-        <source>Walls between two samples</source>
-        <translation>Wände zwischen zwei Abtastpunkten</translation>
+        <source>Shift and widen the transfer function, the isovalue or the grey window</source>
+        <translation>Transferfunktion, Isowert oder Graufenster verschieben und weiten</translation>
     </message>
     <message>
-        <source>A wall thinner than the step can lie between two samples that are both outside: the ray goes through it.</source>
-        <translation>Eine Wand, dünner als die Schrittweite, kann zwischen zwei Abtastpunkten liegen, die beide außerhalb sind: Der Strahl geht hindurch.</translation>
+        <source>Click, Space</source>
+        <translation>Klick, Leertaste</translation>
     </message>
     <message>
-        <source>the refinement `cubic` solves every cell the ray crosses; `--step` below the wall&apos;s thickness does as well.</source>
-        <translation>die Verfeinerung `cubic` löst jede Zelle, die der Strahl durchquert; `--step` unter der Wanddicke hilft ebenso.</translation>
+        <source>Read out and mark a point</source>
+        <translation>Einen Punkt ablesen und markieren</translation>
     </message>
     <message>
-        <source>samples miss a wall of thickness w, crossed at an angle a to its normal, with probability 1 - w/(s cos a) at step s, for 0.1 to 1 voxel and up to 85 degrees; solved cells miss none, by any structure, and are off by under 0.002 voxels.</source>
-        <translation>Abtastung verfehlt eine Wand der Dicke w, unter dem Winkel a zu ihrer Normalen durchquert, mit der Wahrscheinlichkeit 1 - w/(s cos a) bei Schrittweite s, für 0,1 bis 1 Voxel und bis 85 Grad; gelöste Zellen verfehlen keine, mit keiner Struktur, und liegen unter 0,002 Voxel daneben.</translation>
+        <source>Shift+click, Shift and moving, Shift+Space</source>
+        <translation>Umschalt+Klick, Umschalt und Bewegen, Umschalt+Leertaste</translation>
     </message>
     <message>
-        <source>No structure or refinement adds to it</source>
-        <translation>Keine Struktur oder Verfeinerung verschlimmert es</translation>
+        <source>Slices through a point</source>
+        <translation>Schichten durch einen Punkt</translation>
     </message>
     <message>
-        <source>A skipped cell or a bad bracket could lose a wall that the samples do find.</source>
-        <translation>Eine übersprungene Zelle oder eine schlechte Klammer könnte eine Wand verlieren, die die Abtastpunkte finden.</translation>
+        <source>What can be done at a point</source>
+        <translation>Was an einem Punkt getan werden kann</translation>
     </message>
     <message>
-        <source>structures skip only cells whose smallest and largest values lie on one side; refinements keep their bracket.</source>
-        <translation>Strukturen überspringen nur Zellen, deren kleinster und größter Wert auf einer Seite liegen; Verfeinerungen behalten ihre Klammer.</translation>
+        <source>Drag of a cut&apos;s arrow or outline</source>
+        <translation>Pfeil oder Umriss eines Schnitts ziehen</translation>
     </message>
     <message>
-        <source>the same pixels are hit by every structure with every refinement; the depth is within a step unrefined, within step/2^(n+1) bisected.</source>
-        <translation>mit jeder Struktur und jeder Verfeinerung werden dieselben Pixel getroffen; die Tiefe stimmt unverfeinert auf einen Schritt, halbiert auf Schritt/2^(n+1).</translation>
+        <source>Move the cut</source>
+        <translation>Schnitt verschieben</translation>
     </message>
     <message>
-        <source>No refinement</source>
-        <translation>Keine Verfeinerung</translation>
+        <source>Drag of a cut&apos;s round handle, with Ctrl to axes</source>
+        <translation>Runden Griff eines Schnitts ziehen, mit Strg zu Achsen</translation>
     </message>
     <message>
-        <source>Without refinement the surface is drawn at the first sample behind it: it recedes, and shows rings.</source>
-        <translation>Ohne Verfeinerung wird die Oberfläche am ersten Abtastpunkt dahinter gezeichnet: Sie weicht zurück und zeigt Ringe.</translation>
+        <source>Tilt the cut</source>
+        <translation>Schnitt kippen</translation>
     </message>
     <message>
-        <source>`--refine` other than `none`.</source>
-        <translation>`--refine` anders als `none`.</translation>
+        <source>Drag of a box&apos;s square handle</source>
+        <translation>Eckigen Griff eines Kastens ziehen</translation>
     </message>
     <message>
-        <source>off by up to a step, half a step on average: first order in the step.</source>
-        <translation>bis zu einen Schritt daneben, im Mittel einen halben: erste Ordnung in der Schrittweite.</translation>
-    </message>
-    <message>
-        <source>Regula falsi stalls</source>
-        <translation>Regula falsi bleibt stehen</translation>
-    </message>
-    <message>
-        <source>As published, one end of the bracket stays where the signal is convex along the ray, and more steps change nothing.</source>
-        <translation>Wie veröffentlicht, bleibt ein Ende der Klammer stehen, wo das Signal entlang des Strahls konvex ist, und weitere Schritte ändern nichts.</translation>
-    </message>
-    <message>
-        <source>`regula-falsi` halves the kept end&apos;s weight (Illinois); `regula-falsi-plain` is the method as published.</source>
-        <translation>`regula-falsi` halbiert das Gewicht des behaltenen Endes (Illinois); `regula-falsi-plain` ist das Verfahren wie veröffentlicht.</translation>
-    </message>
-    <message>
-        <source>plain: off by over a fifth of a millimetre at a step of 8 after 64 steps; guarded: within 0.001 mm after 16.</source>
-        <translation>unverändert: nach 64 Schritten über ein Fünftel Millimeter daneben bei Schrittweite 8; mit Schutz: nach 16 auf 0,001 mm.</translation>
-    </message>
-    <message>
-        <source>Newton at tangent rays</source>
-        <translation>Newton an streifenden Strahlen</translation>
-    </message>
-    <message>
-        <source>Where a ray all but touches the surface the slope along it all but vanishes, and textbook Newton runs off.</source>
-        <translation>Wo ein Strahl die Oberfläche fast nur berührt, verschwindet die Steigung entlang des Strahls fast, und Newton nach Lehrbuch läuft davon.</translation>
-    </message>
-    <message>
-        <source>the first estimate is the secant&apos;s, from which concave signals are met from the inside.</source>
-        <translation>die erste Schätzung ist die der Sekante, von der aus konkave Signale von innen erreicht werden.</translation>
-    </message>
-    <message>
-        <source>textbook Newton fails on most such rays; started at the secant none leaves its bracket, and depths are within 0.001 voxels.</source>
-        <translation>Newton nach Lehrbuch versagt bei den meisten solcher Strahlen; von der Sekante aus verlässt keiner seine Klammer, und Tiefen stimmen auf 0,001 Voxel.</translation>
-    </message>
-    <message>
-        <source>Newton beside flat signals</source>
-        <translation>Newton neben flachen Signalen</translation>
-    </message>
-    <message>
-        <source>Beside an edge narrower than a step the signal is flat: there is no slope to go by.</source>
-        <translation>Neben einer Kante, schmaler als ein Schritt, ist das Signal flach: Es gibt keine Steigung, nach der man gehen könnte.</translation>
-    </message>
-    <message>
-        <source>an estimate that leaves the bracket is replaced by its middle and counted.</source>
-        <translation>eine Schätzung, die die Klammer verlässt, wird durch deren Mitte ersetzt und gezählt.</translation>
-    </message>
-    <message>
-        <source>off by half a step at most.</source>
-        <translation>höchstens einen halben Schritt daneben.</translation>
-    </message>
-    <message>
-        <source>The grid&apos;s own error</source>
-        <translation>Der Fehler des Gitters selbst</translation>
-    </message>
-    <message>
-        <source>Between voxels the signal is trilinear, a curved surface is not.</source>
-        <translation>Zwischen Voxeln ist das Signal trilinear, eine gekrümmte Oberfläche nicht.</translation>
-    </message>
-    <message>
-        <source>finer voxels only.</source>
-        <translation>nur feinere Voxel.</translation>
-    </message>
-    <message>
-        <source>second order in the voxel size (slope within 0.15 of 2), on the device and in the reference.</source>
-        <translation>zweite Ordnung in der Voxelgröße (Steigung auf 0,15 bei 2), auf dem Gerät und in der Referenz.</translation>
-    </message>
-    <message>
-        <source>Peaks between two samples</source>
-        <translation>Spitzen zwischen zwei Abtastpunkten</translation>
-    </message>
-    <message>
-        <source>A peak of the transfer function narrower than the values&apos; change over a step falls between two samples: its shell has holes or vanishes.</source>
-        <translation>Eine Spitze der Transferfunktion, schmaler als die Änderung der Werte über einen Schritt, fällt zwischen zwei Abtastpunkte: Ihre Schale hat Löcher oder verschwindet.</translation>
-    </message>
-    <message>
-        <source>`--integration preintegrated` draws every value between two samples.</source>
-        <translation>`--integration preintegrated` zeichnet jeden Wert zwischen zwei Abtastpunkten.</translation>
-    </message>
-    <message>
-        <source>points are off by over 20 of 255 levels for a peak a tenth of a step wide, segments by less than 3.</source>
-        <translation>Punkte liegen für eine Spitze von einem Zehntel Schritt über 20 von 255 Stufen daneben, Segmente unter 3.</translation>
-    </message>
-    <message>
-        <source>Peaks narrower than a table&apos;s entry</source>
-        <translation>Spitzen schmaler als ein Tabelleneintrag</translation>
-    </message>
-    <message>
-        <source>The table of pre-integrated segments has 512 x 512 entries over the span between the function&apos;s outermost points: narrower peaks are smeared.</source>
-        <translation>Die Tabelle der vorintegrierten Segmente hat 512 x 512 Einträge über die Spanne zwischen den äußersten Punkten der Funktion: Schmalere Spitzen werden verschmiert.</translation>
-    </message>
-    <message>
-        <source>the extinction of every entry is integrated exactly, so that opacity survives the smear.</source>
-        <translation>die Schwächung jedes Eintrags wird exakt integriert, sodass die Deckkraft das Verschmieren übersteht.</translation>
-    </message>
-    <message>
-        <source>opacity within a fifth for a peak a twentieth of an entry wide.</source>
-        <translation>Deckkraft auf ein Fünftel genau für eine Spitze von einem Zwanzigstel eines Eintrags.</translation>
-    </message>
-    <message>
-        <source>Layers between two samples of like value</source>
-        <translation>Schichten zwischen gleichen Abtastwerten</translation>
-    </message>
-    <message>
-        <source>Both forms of integration know nothing of a layer of voxels between two samples: its values are neither of theirs.</source>
-        <translation>Beide Arten der Integration wissen nichts von einer Voxelschicht zwischen zwei Abtastpunkten: Ihre Werte sind keiner der beiden.</translation>
-    </message>
-    <message>
-        <source>a step below the layer&apos;s thickness meets it on every ray.</source>
-        <translation>eine Schrittweite unter der Schichtdicke trifft sie auf jedem Strahl.</translation>
-    </message>
-    <message>
-        <source>a layer one voxel thick is lost wholly on some rays at a step of two, on none at one half; a share of 1 - w/s as for walls.</source>
-        <translation>eine Schicht von einem Voxel geht bei Schrittweite zwei auf manchen Strahlen ganz verloren, bei einem halben auf keinem; ein Anteil von 1 - w/s wie bei Wänden.</translation>
-    </message>
-    <message>
-        <source>The step&apos;s own error</source>
-        <translation>Der Fehler der Schrittweite selbst</translation>
-    </message>
-    <message>
-        <source>A sum over samples is not the integral.</source>
-        <translation>Eine Summe über Abtastpunkte ist nicht das Integral.</translation>
-    </message>
-    <message>
-        <source>`--verify-against fine` measures it.</source>
-        <translation>`--verify-against fine` misst ihn.</translation>
-    </message>
-    <message>
-        <source>second order in the step (slope within 0.15 of 2).</source>
-        <translation>zweite Ordnung in der Schrittweite (Steigung auf 0,15 bei 2).</translation>
-    </message>
-    <message>
-        <source>Early termination before a bright core</source>
-        <translation>Früher Abbruch vor einem hellen Kern</translation>
-    </message>
-    <message>
-        <source>A ray ends when opacity exceeds 1 - E; a bright core behind a dense veil is lost.</source>
-        <translation>Ein Strahl endet, wenn die Deckkraft 1 - E übersteigt; ein heller Kern hinter einem dichten Schleier geht verloren.</translation>
-    </message>
-    <message>
-        <source>`--ert` states E; the plan&apos;s `why` the levels.</source>
-        <translation>`--ert` nennt E; das `why` des Plans nennt die Stufen.</translation>
-    </message>
-    <message>
-        <source>at most 255 E grey levels, 306 E under Phong shading: 0.6 at the default.</source>
-        <translation>höchstens 255 E Graustufen, mit Phong-Schattierung 306 E: 0,6 bei der Voreinstellung.</translation>
-    </message>
-    <message>
-        <source>Opacity of a step</source>
-        <translation>Deckkraft eines Schritts</translation>
-    </message>
-    <message>
-        <source>Opacity taken a sample instead of a length doubles when the step is halved.</source>
-        <translation>Deckkraft je Abtastpunkt statt je Länge verdoppelt sich, wenn der Schritt halbiert wird.</translation>
-    </message>
-    <message>
-        <source>a step of length d has 1-(1-a)^(d/unit), for voxels of any size.</source>
-        <translation>ein Schritt der Länge d hat 1-(1-a)^(d/unit), für Voxel jeder Größe.</translation>
-    </message>
-    <message>
-        <source>within 0.0005 of the closed form at steps of 1/8 to 1 voxel, and for voxels of 1e-6 and 1e6 mm.</source>
-        <translation>auf 0,0005 an der geschlossenen Form bei Schritten von 1/8 bis 1 Voxel und für Voxel von 1e-6 und 1e6 mm.</translation>
-    </message>
-    <message>
-        <source>Opacity at extreme scales</source>
-        <translation>Deckkraft bei äußersten Maßstäben</translation>
-    </message>
-    <message>
-        <source>With voxels a millionth or a million times the unit distance the powers over- or underflow.</source>
-        <translation>Bei Voxeln vom Millionstel oder Millionenfachen der Bezugslänge laufen die Potenzen über oder unter.</translation>
-    </message>
-    <message>
-        <source>lengths enter as ratios.</source>
-        <translation>Längen gehen als Verhältnisse ein.</translation>
-    </message>
-    <message>
-        <source>the same picture within half a level by every structure; a film or a wall where the unit stays, never NaN.</source>
-        <translation>dasselbe Bild auf eine halbe Stufe mit jeder Struktur; Film oder Wand, wo die Bezugslänge bleibt, nie NaN.</translation>
-    </message>
-    <message>
-        <source>One-voxel spots</source>
-        <translation>Flecken von einem Voxel</translation>
-    </message>
-    <message>
-        <source>The brightest (darkest) value of a spot lies between two samples, and less of it is shown.</source>
-        <translation>Der hellste (dunkelste) Wert eines Flecks liegt zwischen zwei Abtastpunkten, und weniger von ihm wird gezeigt.</translation>
-    </message>
-    <message>
-        <source>`--sampler nearest` shows every spot a ray goes through whole, at a step of up to one voxel.</source>
-        <translation>`--sampler nearest` zeigt jeden Fleck, durch den ein Strahl geht, ganz, bei Schrittweiten bis zu einem Voxel.</translation>
-    </message>
-    <message>
-        <source>a sample lies up to half a step off: 1 - prod(1 - s|d_i|/2) of the height along direction d; 25 % along an axis at half a voxel, 37 % along the diagonal. Measured 10 % and more at a quarter, 22 % at half, 35 % at one voxel, for spacing 1:1:1 and 1:1:5.</source>
-        <translation>ein Abtastpunkt liegt bis zu einem halben Schritt daneben: 1 - prod(1 - s|d_i|/2) der Höhe entlang der Richtung d; 25 % entlang einer Achse bei einem halben Voxel, 37 % entlang der Diagonalen. Gemessen 10 % und mehr bei einem viertel, 22 % bei einem halben, 35 % bei einem Voxel, für Abstände 1:1:1 und 1:1:5.</translation>
-    </message>
-    <message>
-        <source>No structure loses more of a spot</source>
-        <translation>Keine Struktur verliert mehr von einem Fleck</translation>
-    </message>
-    <message>
-        <source>A cell taken for one without a winner hides the winner.</source>
-        <translation>Eine Zelle, die für eine ohne Sieger gehalten wird, verbirgt den Sieger.</translation>
-    </message>
-    <message>
-        <source>cells carry the largest and smallest value of every voxel their samples can touch.</source>
-        <translation>Zellen tragen den kleinsten und größten Wert jedes Voxels, den ihre Abtastpunkte berühren können.</translation>
-    </message>
-    <message>
-        <source>the same picture within half a level by every structure.</source>
-        <translation>dasselbe Bild auf eine halbe Stufe mit jeder Struktur.</translation>
-    </message>
-    <message>
-        <source>Local maxima just above the threshold</source>
-        <translation>Örtliche Maxima knapp über der Schwelle</translation>
-    </message>
-    <message>
-        <source>LMIP passes over a local maximum that exceeds the threshold between two samples only.</source>
-        <translation>LMIP übergeht ein örtliches Maximum, das die Schwelle nur zwischen zwei Abtastpunkten übersteigt.</translation>
-    </message>
-    <message>
-        <source>`--sampler nearest`, or a threshold lower by the share that spots lose.</source>
-        <translation>`--sampler nearest`, oder eine Schwelle, die um den Anteil niedriger ist, den Flecken verlieren.</translation>
-    </message>
-    <message>
-        <source>a spot of 220 is passed over at threshold 200 and step one half; nearest samples stop at it.</source>
-        <translation>ein Fleck von 220 wird bei Schwelle 200 und Schrittweite einhalb übergangen; nächste Voxel halten an ihm an.</translation>
-    </message>
-    <message>
-        <source>Borders of the 24 regions</source>
-        <translation>Grenzen der 24 Bereiche</translation>
-    </message>
-    <message>
-        <source>A direction with a component of exactly zero, or two of equal size, lies in two regions of viewing directions; lists made for one may lack what the other sees.</source>
-        <translation>Eine Richtung mit einer Komponente von genau null oder zwei gleich großen liegt in zwei Bereichen von Blickrichtungen; Listen für den einen können auslassen, was der andere sieht.</translation>
-    </message>
-    <message>
-        <source>both regions&apos; lists hold all that their common border sees.</source>
-        <translation>die Listen beider Bereiche enthalten alles, was ihre gemeinsame Grenze sieht.</translation>
-    </message>
-    <message>
-        <source>all 26 axis and diagonal directions, and 1e-9 beside each: depth within 0.6 voxel diagonals (linear) of rays.</source>
-        <translation>alle 26 Achsen- und Diagonalrichtungen und 1e-9 neben jeder: Tiefe auf 0,6 Voxeldiagonalen (linear) wie bei Strahlen.</translation>
-    </message>
-    <message>
-        <source>Slanted views by nearest voxels</source>
-        <translation>Schräge Ansichten mit nächsten Voxeln</translation>
-    </message>
-    <message>
-        <source>One voxel paints one pixel of the sheared slice: at 45 degrees up to a third of the resolution is lost, and depth is a staircase.</source>
-        <translation>Ein Voxel malt einen Pixel der gescherten Schicht: bei 45 Grad geht bis zu einem Drittel der Auflösung verloren, und die Tiefe ist eine Treppe.</translation>
-    </message>
-    <message>
-        <source>`--sampler linear`, which the still picture takes.</source>
-        <translation>`--sampler linear`, das das stehende Bild nimmt.</translation>
-    </message>
-    <message>
-        <source>nearest: within 1.6 voxel diagonals, 0.2 mm and more on average at 45 degrees; linear: 0.1 mm.</source>
-        <translation>nächste Voxel: auf 1,6 Voxeldiagonalen, bei 45 Grad im Mittel 0,2 mm und mehr; linear: 0,1 mm.</translation>
-    </message>
-    <message>
-        <source>Popping</source>
-        <translation>Springen</translation>
-    </message>
-    <message>
-        <source>Where the principal axis switches, the slices do, and the picture jumps.</source>
-        <translation>Wo die Hauptachse wechselt, wechseln die Schichten, und das Bild springt.</translation>
-    </message>
-    <message>
-        <source>none: it is the method&apos;s nature; ray casting has no such view.</source>
-        <translation>nichts: Es liegt im Verfahren; Strahlen kennen keine solche Ansicht.</translation>
-    </message>
-    <message>
-        <source>a turn of 0.02 degrees over the switch changes the picture more than twice as much as one beside it, by under 6 levels on average.</source>
-        <translation>eine Drehung um 0,02 Grad über den Wechsel ändert das Bild mehr als doppelt so sehr wie daneben, im Mittel um unter 6 Stufen.</translation>
-    </message>
-    <message>
-        <source>Perspective</source>
-        <translation>Perspektive</translation>
-    </message>
-    <message>
-        <source>One shear serves parallel rays only.</source>
-        <translation>Eine Scherung dient nur parallelen Strahlen.</translation>
-    </message>
-    <message>
-        <source>the camera&apos;s field of view is refused in one sentence.</source>
-        <translation>das Sichtfeld der Kamera wird in einem Satz abgelehnt.</translation>
-    </message>
-    <message>
-        <source>none is drawn.</source>
-        <translation>keine wird gezeichnet.</translation>
-    </message>
-    <message>
-        <source>A peak inside a homogeneous node</source>
-        <translation>Eine Spitze in einem homogenen Knoten</translation>
-    </message>
-    <message>
-        <source>The octree takes a node whose values differ by less than the threshold as its average; a narrow peak of the transfer function inside that range vanishes.</source>
-        <translation>Der Octree nimmt einen Knoten, dessen Werte sich um weniger als die Schwelle unterscheiden, als ihren Mittelwert; eine schmale Spitze der Transferfunktion in diesem Bereich verschwindet.</translation>
-    </message>
-    <message>
-        <source>threshold 0 is lossless; pc, acd and eacd compare opacities and colours instead; the plan&apos;s `why` says when a peak is narrower than the threshold, and the planner takes no thresholds.</source>
-        <translation>Schwelle 0 ist verlustfrei; pc, acd und eacd vergleichen statt dessen Deckkraft und Farbe; das `why` des Plans sagt, wenn eine Spitze schmaler als die Schwelle ist, und der Planer nimmt keine Schwellen.</translation>
-    </message>
-    <message>
-        <source>over 60 of 255 levels lost by values at a threshold of 15 voxels&apos; change; at most 6 by opacities at 0.02.</source>
-        <translation>über 60 von 255 Stufen verloren nach Werten, bei einer Schwelle von der Änderung über 15 Voxel; höchstens 6 nach Deckkraft bei 0,02.</translation>
-    </message>
-    <message>
-        <source>Thresholds too wide</source>
-        <translation>Zu weite Schwellen</translation>
-    </message>
-    <message>
-        <source>Regions whose opacities may differ by the threshold show as patches.</source>
-        <translation>Bereiche, deren Deckkraft sich um die Schwelle unterscheiden darf, zeigen sich als Flecken.</translation>
-    </message>
-    <message>
-        <source>0 is lossless.</source>
-        <translation>0 ist verlustfrei.</translation>
-    </message>
-    <message>
-        <source>255 T levels a unit distance; the error grows with the threshold.</source>
-        <translation>255 T Stufen je Bezugslänge; der Fehler wächst mit der Schwelle.</translation>
-    </message>
-    <message>
-        <source>Distances saturate at 31 voxels</source>
-        <translation>Abstände enden bei 31 Voxeln</translation>
-    </message>
-    <message>
-        <source>EACD has five bits an axis: large empty space is crossed in jumps of 31 voxels.</source>
-        <translation>EACD hat fünf Bit je Achse: großer leerer Raum wird in Sprüngen von 31 Voxeln durchquert.</translation>
-    </message>
-    <message>
-        <source>saturated, never wrapped; over macro-cells (the default) a jump is as many cells.</source>
-        <translation>gesättigt, nie übergelaufen; über Makrozellen (Voreinstellung) reicht ein Sprung so viele Zellen.</translation>
-    </message>
-    <message>
-        <source>at least one look-up in 31 voxels a ray, at most three times that; half as many over cells of 8^3. The picture is the same.</source>
-        <translation>mindestens eine Abfrage je 31 Voxel und Strahl, höchstens das Dreifache; halb so viele über Zellen von 8^3. Das Bild ist dasselbe.</translation>
-    </message>
-    <message>
-        <source>A field a voxel for large volumes</source>
-        <translation>Ein Feld je Voxel bei großen Volumen</translation>
-    </message>
-    <message>
-        <source>Eight distances a voxel need eight to sixteen bytes a voxel.</source>
-        <translation>Acht Abstände je Voxel brauchen acht bis sechzehn Byte je Voxel.</translation>
-    </message>
-    <message>
-        <source>before anything is allocated, naming the bytes and what fits.</source>
-        <translation>bevor etwas belegt wird, mit den nötigen Byte und dem, was passt.</translation>
-    </message>
-    <message>
-        <source>none is built.</source>
-        <translation>keines wird gebaut.</translation>
-    </message>
-    <message>
-        <source>Dense, faint data</source>
-        <translation>Dichte, schwache Daten</translation>
-    </message>
-    <message>
-        <source>Where most voxels are visible there is nothing to skip, and asking costs.</source>
-        <translation>Wo die meisten Voxel sichtbar sind, gibt es nichts zu überspringen, und Fragen kostet.</translation>
-    </message>
-    <message>
-        <source>a ray that can skip nothing asks once.</source>
-        <translation>ein Strahl, der nichts überspringen kann, fragt einmal.</translation>
-    </message>
-    <message>
-        <source>one look-up a ray where every cell is visible; leaping costs little more than nothing.</source>
-        <translation>eine Abfrage je Strahl, wo jede Zelle sichtbar ist; Sprünge kosten wenig mehr als nichts.</translation>
-    </message>
-    <message>
-        <source>Corners of cells</source>
-        <translation>Ecken von Zellen</translation>
-    </message>
-    <message>
-        <source>A ray through a corner or along a face of cells can loop, or jump a cell.</source>
-        <translation>Ein Strahl durch eine Ecke oder entlang einer Fläche von Zellen kann im Kreis laufen oder eine Zelle überspringen.</translation>
-    </message>
-    <message>
-        <source>jumps end a hair behind the cell&apos;s border and always advance a sample.</source>
-        <translation>Sprünge enden ein Haar hinter dem Rand der Zelle und rücken immer einen Abtastpunkt vor.</translation>
-    </message>
-    <message>
-        <source>diagonals through voxel corners: no pixel off by more than a level, by any structure.</source>
-        <translation>Diagonalen durch Voxelecken: kein Pixel mehr als eine Stufe daneben, mit keiner Struktur.</translation>
-    </message>
-    <message>
-        <source>Equal samples outside regions</source>
-        <translation>Gleiche Abtastwerte außerhalb von Bereichen</translation>
-    </message>
-    <message>
-        <source>The leaping kernel as published takes two equal samples for a region, wherever they lie, and then samples nearest: saturated, striped or padded data fools it.</source>
-        <translation>Der Sprungkern wie veröffentlicht hält zwei gleiche Abtastwerte für einen Bereich, wo immer sie liegen, und tastet dann nächste Voxel ab: gesättigte, gestreifte oder aufgefüllte Daten täuschen ihn.</translation>
-    </message>
-    <message>
-        <source>`--leaping confirmed` believes only the leap voxel&apos;s own bit; the planner never takes `published`.</source>
-        <translation>`--leaping confirmed` glaubt nur dem Bit des Sprungvoxels selbst; der Planer nimmt `published` nie.</translation>
-    </message>
-    <message>
-        <source>published: off by over 10 of 255 levels on balls without noise; confirmed: within 1.</source>
-        <translation>wie veröffentlicht: über 10 von 255 Stufen daneben an Kugeln ohne Rauschen; bestätigt: auf 1.</translation>
-    </message>
-    <message>
-        <source>Wide regions are drawn as their mean</source>
-        <translation>Weite Bereiche werden als ihr Mittel gezeichnet</translation>
-    </message>
-    <message>
-        <source>Above threshold 0 the picture is that of the volume in which each region has its average.</source>
-        <translation>Über Schwelle 0 ist das Bild das des Volumens, in dem jeder Bereich seinen Mittelwert hat.</translation>
-    </message>
-    <message>
-        <source>exactly the brute-force picture of the flattened volume; its error grows with the threshold.</source>
-        <translation>genau das Bild der vollen Abtastung des geglätteten Volumens; sein Fehler wächst mit der Schwelle.</translation>
-    </message>
-    <message>
-        <source>Leaps that go too far</source>
-        <translation>Zu weite Sprünge</translation>
-    </message>
-    <message>
-        <source>A leap longer than the way to the region&apos;s end skips a pore.</source>
-        <translation>Ein Sprung, länger als der Weg bis zum Ende des Bereichs, überspringt eine Pore.</translation>
-    </message>
-    <message>
-        <source>every leap value is at most the distance less one and a half voxel diagonals.</source>
-        <translation>jeder Sprungwert ist höchstens der Abstand weniger anderthalb Voxeldiagonalen.</translation>
-    </message>
-    <message>
-        <source>no voxel&apos;s value exceeds its true distance, in all three ways of making them.</source>
-        <translation>kein Wert übersteigt den wahren Abstand, auf allen drei Wegen, sie zu bilden.</translation>
-    </message>
-    <message>
-        <source>Floating-point voxels</source>
-        <translation>Gleitkomma-Voxel</translation>
-    </message>
-    <message>
-        <source>16 bits with a flag leave 15 for a density.</source>
-        <translation>16 Bit mit einem Kennzeichen lassen 15 für eine Dichte.</translation>
-    </message>
-    <message>
-        <source>`leap` on f32 unless the range to quantise is stated.</source>
-        <translation>`leap` auf f32, außer der Bereich zum Quantisieren ist genannt.</translation>
-    </message>
-    <message>
-        <source>Noise leaves nothing to leap through</source>
-        <translation>Rauschen lässt nichts zum Springen</translation>
-    </message>
-    <message>
-        <source>Noise makes tiny regions; with none large enough every sample is taken.</source>
-        <translation>Rauschen macht winzige Bereiche; ist keiner groß genug, wird jeder Punkt abgetastet.</translation>
-    </message>
-    <message>
-        <source>the share of equal neighbours is counted; `--smooth` first brings regions back.</source>
-        <translation>der Anteil gleicher Nachbarn wird gezählt; `--smooth` zuvor bringt Bereiche zurück.</translation>
-    </message>
-    <message>
-        <source>at noise of 10 % of the contrast over ten times as many regions, and over a tenth less of the voxels in large ones; smoothed by 1.5 voxels, at most three times as many.</source>
-        <translation>bei Rauschen von 10 % des Kontrasts über zehnmal so viele Bereiche und über ein Zehntel weniger Voxel in großen; mit 1,5 Voxel geglättet höchstens dreimal so viele.</translation>
-    </message>
-    <message>
-        <source>Wires between cast pixels</source>
-        <translation>Drähte zwischen verfolgten Pixeln</translation>
-    </message>
-    <message>
-        <source>What is thinner than K pixels and met by no cast ray is lost.</source>
-        <translation>Was dünner als K Pixel ist und von keinem verfolgten Strahl getroffen wird, geht verloren.</translation>
-    </message>
-    <message>
-        <source>`--sparse K,G,aware` asks min-max cells; nothing is promised for `lmip`, `mean`, and for what floats before or behind something visible.</source>
-        <translation>`--sparse K,G,aware` fragt Min-Max-Zellen; nichts wird versprochen für `lmip`, `mean` und für das, was vor oder hinter Sichtbarem schwebt.</translation>
-    </message>
-    <message>
-        <source>a wire of one voxel vanishes at K = 16 for some views; with `aware` no pixel is off by more than 6 levels.</source>
-        <translation>ein Draht von einem Voxel verschwindet bei K = 16 in manchen Ansichten; mit `aware` liegt kein Pixel mehr als 6 Stufen daneben.</translation>
-    </message>
-    <message>
-        <source>Soft differences between cast pixels</source>
-        <translation>Sanfte Unterschiede zwischen verfolgten Pixeln</translation>
-    </message>
-    <message>
-        <source>Differences below G between four cast pixels are interpolated away.</source>
-        <translation>Unterschiede unter G zwischen vier verfolgten Pixeln werden weginterpoliert.</translation>
-    </message>
-    <message>
-        <source>`--sparse K,0` interpolates between equal pixels only.</source>
-        <translation>`--sparse K,0` interpoliert nur zwischen gleichen Pixeln.</translation>
-    </message>
-    <message>
-        <source>the error grows with G, the number of rays falls.</source>
-        <translation>der Fehler wächst mit G, die Zahl der Strahlen fällt.</translation>
-    </message>
-    <message>
-        <source>Occlusion from the picture alone</source>
-        <translation>Verdeckung aus dem Bild allein</translation>
-    </message>
-    <message>
-        <source>SSAO sees only what the picture shows: what is hidden or outside it darkens nothing, and near things could darken far ones.</source>
-        <translation>SSAO sieht nur, was das Bild zeigt: Verborgenes oder außerhalb Liegendes verdunkelt nichts, und Nahes könnte Fernes verdunkeln.</translation>
-    </message>
-    <message>
-        <source>depths too far apart are left out (range check).</source>
-        <translation>zu weit auseinander liegende Tiefen bleiben außen vor (Bereichsprüfung).</translation>
-    </message>
-    <message>
-        <source>no halo on what lies far behind; a plane stays as it is.</source>
-        <translation>kein Hof auf weit Entferntem; eine Ebene bleibt, wie sie ist.</translation>
-    </message>
-    <message>
-        <source>Blur across outlines</source>
-        <translation>Unschärfe über Umrisse</translation>
-    </message>
-    <message>
-        <source>Depth of field blurs a picture: colours of what is sharp bleed into what is not.</source>
-        <translation>Schärfentiefe verwischt ein Bild: Farben des Scharfen bluten ins Unscharfe.</translation>
-    </message>
-    <message>
-        <source>pixels weigh by their own circle of confusion.</source>
-        <translation>Pixel wiegen nach ihrem eigenen Unschärfekreis.</translation>
-    </message>
-    <message>
-        <source>sharp colour stays out of the blur.</source>
-        <translation>scharfe Farbe bleibt aus der Unschärfe heraus.</translation>
-    </message>
-    <message>
-        <source>Voxels that are no numbers</source>
-        <translation>Voxel, die keine Zahlen sind</translation>
-    </message>
-    <message>
-        <source>A NaN or infinite voxel spoils every sample of its neighbourhood.</source>
-        <translation>Ein NaN oder unendliches Voxel verdirbt jeden Abtastwert seiner Umgebung.</translation>
-    </message>
-    <message>
-        <source>such samples contribute nothing and are counted nowhere; structures never call their cells empty or alike.</source>
-        <translation>solche Abtastwerte tragen nichts bei und zählen nirgends; Strukturen nennen ihre Zellen nie leer oder gleich.</translation>
-    </message>
-    <message>
-        <source>every mode by every structure, NaN and both infinities scattered: the reference&apos;s picture, but for 1 % of pixels.</source>
-        <translation>jeder Modus mit jeder Struktur, NaN und beide Unendlich verstreut: das Bild der Referenz bis auf 1 % der Pixel.</translation>
-    </message>
-    <message>
-        <source>One value, or one voxel across</source>
-        <translation>Ein Wert oder ein Voxel quer</translation>
-    </message>
-    <message>
-        <source>Ranges, gradients and cells of nothing: divisions by zero, empty trees.</source>
-        <translation>Bereiche, Gradienten und Zellen aus nichts: Teilungen durch null, leere Bäume.</translation>
-    </message>
-    <message>
-        <source>every build and fit takes them.</source>
-        <translation>jeder Aufbau und jede Anpassung nimmt sie an.</translation>
-    </message>
-    <message>
-        <source>constant volumes and 1xN, 1x1xN, 1x1x1 in every mode by every structure.</source>
-        <translation>konstante Volumen und 1xN, 1x1xN, 1x1x1 in jedem Modus mit jeder Struktur.</translation>
-    </message>
-    <message>
-        <source>Rays exactly along axes</source>
-        <translation>Strahlen genau entlang der Achsen</translation>
-    </message>
-    <message>
-        <source>A direction component of exactly zero divides by zero; rays within voxel faces belong to two voxels.</source>
-        <translation>Eine Richtungskomponente von genau null teilt durch null; Strahlen in Voxelflächen gehören zwei Voxeln.</translation>
-    </message>
-    <message>
-        <source>slabs the ray runs along are left out of its entry and exit.</source>
-        <translation>Platten, an denen der Strahl entlangläuft, bleiben bei Ein- und Austritt außen vor.</translation>
-    </message>
-    <message>
-        <source>six axes, on voxel centres and faces: the reference&apos;s picture but for rays within the box&apos;s own faces; structures change nothing.</source>
-        <translation>sechs Achsen, auf Voxelmitten und -flächen: das Bild der Referenz außer bei Strahlen in den Flächen des Kastens selbst; Strukturen ändern nichts.</translation>
-    </message>
-    <message>
-        <source>An eye inside the volume</source>
-        <translation>Ein Auge im Volumen</translation>
-    </message>
-    <message>
-        <source>There is no entry, and the first sample may lie inside a region or an object.</source>
-        <translation>Es gibt keinen Eintritt, und der erste Abtastpunkt kann in einem Bereich oder Objekt liegen.</translation>
-    </message>
-    <message>
-        <source>rays start at the eye; leaps look ahead for the region&apos;s value.</source>
-        <translation>Strahlen beginnen am Auge; Sprünge sehen nach dem Wert des Bereichs voraus.</translation>
-    </message>
-    <message>
-        <source>the reference&apos;s picture; structures change nothing.</source>
-        <translation>das Bild der Referenz; Strukturen ändern nichts.</translation>
-    </message>
-    <message>
-        <source>Single precision far away</source>
-        <translation>Einfache Genauigkeit in der Ferne</translation>
-    </message>
-    <message>
-        <source>At 10 000 voxels a float&apos;s last digit is a thousandth of a voxel.</source>
-        <translation>Bei 10 000 Voxeln ist die letzte Stelle einer Gleitkommazahl ein tausendstel Voxel.</translation>
-    </message>
-    <message>
-        <source>rays are re-based to the volume&apos;s box in double precision.</source>
-        <translation>Strahlen werden in doppelter Genauigkeit auf den Kasten des Volumens bezogen.</translation>
-    </message>
-    <message>
-        <source>depth within 0.01 voxels at 10 000 voxels and with origins up to 1e6 mm; 0.02 at the far end of a volume 10 000 voxels long.</source>
-        <translation>Tiefe auf 0,01 Voxel bei 10 000 Voxeln und bei Ursprüngen bis 1e6 mm; 0,02 am fernen Ende eines Volumens von 10 000 Voxeln Länge.</translation>
-    </message>
-    <message>
-        <source>The pixel&apos;s own error</source>
-        <translation>Der Fehler des Pixels selbst</translation>
-    </message>
-    <message>
-        <source>Between pixel centres nothing is cast.</source>
-        <translation>Zwischen Pixelmitten wird nichts verfolgt.</translation>
-    </message>
-    <message>
-        <source>larger pictures only.</source>
-        <translation>nur größere Bilder.</translation>
-    </message>
-    <message>
-        <source>second order in the pixel (slope within 0.15 of 2).</source>
-        <translation>zweite Ordnung im Pixel (Steigung auf 0,15 bei 2).</translation>
-    </message>
-    <message>
-        <source>Stored gradients</source>
-        <translation>Gespeicherte Gradienten</translation>
-    </message>
-    <message>
-        <source>Packed into four bytes, a normal&apos;s direction is rounded.</source>
-        <translation>In vier Byte gepackt, wird die Richtung einer Normalen gerundet.</translation>
-    </message>
-    <message>
-        <source>`--gradient on-the-fly`.</source>
-        <translation>`--gradient on-the-fly`.</translation>
-    </message>
-    <message>
-        <source>0.2 degrees.</source>
-        <translation>0,2 Grad.</translation>
-    </message>
-    <message>
-        <source>Nearest voxels</source>
-        <translation>Nächste Voxel</translation>
-    </message>
-    <message>
-        <source>One voxel&apos;s value for its whole cell: stairs.</source>
-        <translation>Der Wert eines Voxels für seine ganze Zelle: Treppen.</translation>
-    </message>
-    <message>
-        <source>`--sampler linear`; `adaptive` reads nearest only where nothing can tell.</source>
-        <translation>`--sampler linear`; `adaptive` liest nächste Voxel nur, wo man es nicht merken kann.</translation>
-    </message>
-    <message>
-        <source>a surface is off by up to half a voxel diagonal and the step.</source>
-        <translation>eine Oberfläche liegt bis zu einer halben Voxeldiagonalen und einem Schritt daneben.</translation>
-    </message>
-    <message>
-        <source>Growth shatters under noise</source>
-        <translation>Wachstum zersplittert im Rauschen</translation>
-    </message>
-    <message>
-        <source>A region&apos;s values span at most the width: noise wider than that leaves crumbs.</source>
-        <translation>Die Werte eines Bereichs umspannen höchstens die Breite: weiteres Rauschen lässt Krümel.</translation>
-    </message>
-    <message>
-        <source>`--min-voxels` drops them, `--smooth` avoids them.</source>
-        <translation>`--min-voxels` lässt sie weg, `--smooth` vermeidet sie.</translation>
-    </message>
-    <message>
-        <source>as for leaping: over ten times as many regions at noise of 10 % of the contrast.</source>
-        <translation>wie beim Springen: über zehnmal so viele Bereiche bei Rauschen von 10 % des Kontrasts.</translation>
-    </message>
-    <message>
-        <source>The order of growth</source>
-        <translation>Die Reihenfolge des Wachstums</translation>
-    </message>
-    <message>
-        <source>Which seed comes first decides which voxels a region may still take.</source>
-        <translation>Welcher Keim zuerst kommt, entscheidet, welche Voxel ein Bereich noch nehmen darf.</translation>
-    </message>
-    <message>
-        <source>seeds are tried in the voxels&apos; order, on any number of threads.</source>
-        <translation>Keime werden in der Reihenfolge der Voxel versucht, auf jeder Zahl von Threads.</translation>
-    </message>
-    <message>
-        <source>the same labels, bit for bit.</source>
-        <translation>dieselben Marken, Bit für Bit.</translation>
-    </message>
-    <message>
-        <source>Adjacency decides topology</source>
-        <translation>Nachbarschaft entscheidet über Topologie</translation>
-    </message>
-    <message>
-        <source>A shell with a diagonal gap is closed for one adjacency and open for the other.</source>
-        <translation>Eine Schale mit einer diagonalen Lücke ist für die eine Nachbarschaft geschlossen und für die andere offen.</translation>
-    </message>
-    <message>
-        <source>the adjacency used stands in the table; regions and cavities take opposite ones.</source>
-        <translation>die benutzte Nachbarschaft steht in der Tabelle; Bereiche und Hohlräume nehmen entgegengesetzte.</translation>
-    </message>
-    <message>
-        <source>both answers, each right for its adjacency.</source>
-        <translation>beide Antworten, jede richtig für ihre Nachbarschaft.</translation>
-    </message>
-    <message>
-        <source>Area from voxel faces</source>
-        <translation>Fläche aus Voxelseiten</translation>
-    </message>
-    <message>
-        <source>Counted faces overestimate by half and never converge; weights for cubes are wrong by tens of percent on flat voxels.</source>
-        <translation>Gezählte Seiten überschätzen um die Hälfte und konvergieren nie; Gewichte für Würfel sind bei flachen Voxeln um zig Prozent falsch.</translation>
-    </message>
-    <message>
-        <source>Crofton&apos;s formula with 13 directions, weighted for the spacing.</source>
-        <translation>Croftons Formel mit 13 Richtungen, für den Voxelabstand gewichtet.</translation>
-    </message>
-    <message>
-        <source>a flat tilted disc at 1:1:5 within the stated bound.</source>
-        <translation>eine flache gekippte Scheibe bei 1:1:5 in der genannten Schranke.</translation>
-    </message>
-    <message>
-        <source>Volume at one threshold</source>
-        <translation>Volumen bei einer Schwelle</translation>
-    </message>
-    <message>
-        <source>A blurred pore of two voxels&apos; radius reads 0.45 to 0.89 of its volume, as the threshold goes from 60 to 40 %.</source>
-        <translation>Eine verwischte Pore von zwei Voxeln Radius liest 0,45 bis 0,89 ihres Volumens, wenn die Schwelle von 60 auf 40 % geht.</translation>
-    </message>
-    <message>
-        <source>every volume carries an interval.</source>
-        <translation>jedes Volumen trägt ein Intervall.</translation>
-    </message>
-    <message>
-        <source>the true volume lies in the interval.</source>
-        <translation>das wahre Volumen liegt im Intervall.</translation>
-    </message>
-    <message>
-        <source>Porosity under noise</source>
-        <translation>Porosität im Rauschen</translation>
-    </message>
-    <message>
-        <source>Noise moves the threshold and adds false pores.</source>
-        <translation>Rauschen verschiebt die Schwelle und fügt falsche Poren hinzu.</translation>
-    </message>
-    <message>
-        <source>an interval; finds below the noise are dropped.</source>
-        <translation>ein Intervall; Funde unter dem Rauschen fallen weg.</translation>
-    </message>
-    <message>
-        <source>at noise of 0 to 10 % of the contrast the truth lies in the interval.</source>
-        <translation>bei Rauschen von 0 bis 10 % des Kontrasts liegt die Wahrheit im Intervall.</translation>
-    </message>
-    <message>
-        <source>Finds of a few voxels</source>
-        <translation>Funde von wenigen Voxeln</translation>
-    </message>
-    <message>
-        <source>Below eight voxels the uncertainty exceeds the object.</source>
-        <translation>Unter acht Voxeln übersteigt die Unsicherheit das Objekt.</translation>
-    </message>
-    <message>
-        <source>such finds are reported as detected, not measured.</source>
-        <translation>solche Funde werden als gefunden, nicht als gemessen gemeldet.</translation>
-    </message>
-    <message>
-        <source>no volume is printed for them.</source>
-        <translation>kein Volumen wird für sie gedruckt.</translation>
+        <source>Move a side of the box, or all of it</source>
+        <translation>Eine Seite des Kastens oder ihn ganz verschieben</translation>
     </message>
 </context>
 <context>
@@ -1339,6 +528,202 @@
     <message>
         <source>Choosing a plan</source>
         <translation>Plan wird gewählt</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::BatchDialog</name>
+    <message>
+        <source>&amp;Go on with the series that stands in the report folder</source>
+        <translation>Mit der Serie &amp;weitermachen, die im Berichtsordner steht</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Starten</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel the series</source>
+        <translation>Serie &amp;abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Open the summary</source>
+        <translation>&amp;Übersicht öffnen</translation>
+    </message>
+    <message>
+        <source>Inspect a series of parts</source>
+        <translation>Serie von Teilen prüfen</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>Wählen: %1</translation>
+    </message>
+    <message>
+        <source>P&amp;arts</source>
+        <translation>&amp;Teile</translation>
+    </message>
+    <message>
+        <source>A folder with one part a sub-folder or file, or a list file</source>
+        <translation>Ein Ordner mit einem Teil je Unterordner oder Datei oder eine Listendatei</translation>
+    </message>
+    <message>
+        <source>Folder of the parts</source>
+        <translation>Ordner der Teile</translation>
+    </message>
+    <message>
+        <source>C&amp;riteria</source>
+        <translation>&amp;Kriterien</translation>
+    </message>
+    <message>
+        <source>JSON file: material, defects, limits, zones</source>
+        <translation>JSON-Datei: Material, Fehlstellen, Grenzwerte, Zonen</translation>
+    </message>
+    <message>
+        <source>Criteria</source>
+        <translation>Kriterien</translation>
+    </message>
+    <message>
+        <source>Criteria (*.json);;All files (*)</source>
+        <translation>Kriterien (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>R&amp;eport folder</source>
+        <translation>&amp;Berichtsordner</translation>
+    </message>
+    <message>
+        <source>Gets the summary and one report folder a part</source>
+        <translation>Bekommt die Übersicht und einen Berichtsordner je Teil</translation>
+    </message>
+    <message>
+        <source>Report folder</source>
+        <translation>Berichtsordner</translation>
+    </message>
+    <message>
+        <source>Re&amp;ference part</source>
+        <translation>&amp;Referenzteil</translation>
+    </message>
+    <message>
+        <source>Deviations are told from it; may stay empty</source>
+        <translation>Abweichungen werden von ihm aus angegeben; kann leer bleiben</translation>
+    </message>
+    <message>
+        <source>Reference part</source>
+        <translation>Referenzteil</translation>
+    </message>
+    <message>
+        <source>Parts at once</source>
+        <translation>Teile zugleich</translation>
+    </message>
+    <message>
+        <source>At most so many parts at once; fewer where the memory ends</source>
+        <translation>Höchstens so viele Teile zugleich; weniger, wo der Speicher endet</translation>
+    </message>
+    <message>
+        <source>Parts at &amp;once</source>
+        <translation>Teile &amp;zugleich</translation>
+    </message>
+    <message>
+        <source>Parts of the series</source>
+        <translation>Teile der Serie</translation>
+    </message>
+    <message>
+        <source>What became of the series</source>
+        <translation>Was aus der Serie wurde</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>Paused: parts in work stop at their next step.</source>
+        <translation>Angehalten: Teile in Arbeit halten bei ihrem nächsten Schritt.</translation>
+    </message>
+    <message>
+        <source>Inspecting…</source>
+        <translation>Prüfung läuft…</translation>
+    </message>
+    <message>
+        <source>Name a report folder.</source>
+        <translation>Einen Berichtsordner nennen.</translation>
+    </message>
+    <message>
+        <source>Inspecting a series</source>
+        <translation>Serie wird geprüft</translation>
+    </message>
+    <message numerus="yes">
+        <source>Cancelled after %n part(s); start again to go on.</source>
+        <translation>
+            <numerusform>Nach %n Teil abgebrochen; zum Weitermachen erneut starten.</numerusform>
+            <numerusform>Nach %n Teilen abgebrochen; zum Weitermachen erneut starten.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 pass, %2 fail, %3 cannot tell, %4 broken. The summary stands in %5.</source>
+        <translation>%1 gut, %2 schlecht, %3 unentschieden, %4 defekt. Die Übersicht steht in %5.</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::BatchFeature</name>
+    <message>
+        <source>Inspect a &amp;series of parts…</source>
+        <translation>&amp;Serie von Teilen prüfen…</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::BatchModel</name>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>broken</source>
+        <translation>defekt</translation>
+    </message>
+    <message>
+        <source>pass</source>
+        <translation>gut</translation>
+    </message>
+    <message>
+        <source>fail</source>
+        <translation>schlecht</translation>
+    </message>
+    <message>
+        <source>cannot tell</source>
+        <translation>unentschieden</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
     </message>
 </context>
 <context>
@@ -1989,6 +1374,137 @@
     </message>
 </context>
 <context>
+    <name>lacuna::ui::DicomBrowser</name>
+    <message>
+        <source>Patient %1</source>
+        <translation>Patient %1</translation>
+    </message>
+    <message>
+        <source>(no name)</source>
+        <translation>(ohne Namen)</translation>
+    </message>
+    <message>
+        <source>(study without a description)</source>
+        <translation>(Studie ohne Beschreibung)</translation>
+    </message>
+    <message>
+        <source>(no description)</source>
+        <translation>(ohne Beschreibung)</translation>
+    </message>
+    <message>
+        <source>DICOM browser</source>
+        <translation>DICOM-Browser</translation>
+    </message>
+    <message>
+        <source>Folder or DICOMDIR</source>
+        <translation>Ordner oder DICOMDIR</translation>
+    </message>
+    <message>
+        <source>Choose a folder or a DICOMDIR</source>
+        <translation>Einen Ordner oder ein DICOMDIR wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Folder…</source>
+        <translation>&amp;Ordner…</translation>
+    </message>
+    <message>
+        <source>DICOM&amp;DIR…</source>
+        <translation>DICOM&amp;DIR…</translation>
+    </message>
+    <message>
+        <source>Reads the directory of a disc or stick instead of every file on it</source>
+        <translation>Liest das Verzeichnis eines Datenträgers statt jeder Datei darauf</translation>
+    </message>
+    <message>
+        <source>Search patients, studies and series</source>
+        <translation>Patienten, Studien und Serien suchen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suche</translation>
+    </message>
+    <message>
+        <source>Patients, studies and series</source>
+        <translation>Patienten, Studien und Serien</translation>
+    </message>
+    <message>
+        <source>Look for DICOM in a folder</source>
+        <translation>DICOM in einem Ordner suchen</translation>
+    </message>
+    <message>
+        <source>Read a DICOMDIR</source>
+        <translation>Ein DICOMDIR lesen</translation>
+    </message>
+    <message>
+        <source>DICOMDIR (DICOMDIR dicomdir);;All files (*)</source>
+        <translation>DICOMDIR (DICOMDIR dicomdir);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Wird gesucht…</translation>
+    </message>
+    <message>
+        <source>Looking for DICOM</source>
+        <translation>DICOM wird gesucht</translation>
+    </message>
+    <message>
+        <source>Stopped; this is what was found until then.</source>
+        <translation>Angehalten; das wurde bis dahin gefunden.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n series</source>
+        <translation>
+            <numerusform>%n Serie</numerusform>
+            <numerusform>%n Serien</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source> in %n files</source>
+        <translation>
+            <numerusform> in %n Datei</numerusform>
+            <numerusform> in %n Dateien</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>; %n cannot be read</source>
+        <translation>
+            <numerusform>; %n ist nicht lesbar</numerusform>
+            <numerusform>; %n sind nicht lesbar</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>; %n named in the directory are missing</source>
+        <translation>
+            <numerusform>; %n im Verzeichnis genannte fehlt</numerusform>
+            <numerusform>; %n im Verzeichnis genannte fehlen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source> so far…</source>
+        <translation> bisher…</translation>
+    </message>
+</context>
+<context>
     <name>lacuna::ui::EffectsPanel</name>
     <message>
         <source>Strength</source>
@@ -2151,6 +1667,105 @@
     </message>
 </context>
 <context>
+    <name>lacuna::ui::ExportFeature</name>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Ausgeben</translation>
+    </message>
+    <message>
+        <source>&amp;Picture of the view…</source>
+        <translation>&amp;Bild der Ansicht…</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Picture &amp;without words and marks…</source>
+        <translation>Bild &amp;ohne Texte und Zeichen…</translation>
+    </message>
+    <message>
+        <source>&amp;Turntable…</source>
+        <translation>&amp;Drehteller…</translation>
+    </message>
+    <message>
+        <source>Save a turntable</source>
+        <translation>Drehteller sichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png);;Films (*.mp4 *.webm)</source>
+        <translation>Bilder (*.png);;Filme (*.mp4 *.webm)</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Drehteller</translation>
+    </message>
+    <message>
+        <source>Pictures a turn</source>
+        <translation>Bilder je Umdrehung</translation>
+    </message>
+    <message>
+        <source>&amp;Surface of the isovalue…</source>
+        <translation>&amp;Fläche des Isowerts…</translation>
+    </message>
+    <message>
+        <source>Save the surface</source>
+        <translation>Fläche sichern</translation>
+    </message>
+    <message>
+        <source>Meshes (*.stl *.ply *.obj *.vtp)</source>
+        <translation>Netze (*.stl *.ply *.obj *.vtp)</translation>
+    </message>
+    <message>
+        <source>&amp;Volume…</source>
+        <translation>&amp;Volumen…</translation>
+    </message>
+    <message>
+        <source>Save the volume</source>
+        <translation>Volumen sichern</translation>
+    </message>
+    <message>
+        <source>Volumes (*.nrrd *.mhd *.nii.gz *.nii *.raw)</source>
+        <translation>Volumen (*.nrrd *.mhd *.nii.gz *.nii *.raw)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the view</source>
+        <translation>Ansicht &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.tif)</source>
+        <translation>Bilder (*.png *.tif)</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild sichern</translation>
+    </message>
+    <message>
+        <source>Saving the picture</source>
+        <translation>Bild wird gesichert</translation>
+    </message>
+    <message>
+        <source>Drawing a turntable</source>
+        <translation>Drehteller wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Saving the surface</source>
+        <translation>Fläche wird gesichert</translation>
+    </message>
+    <message>
+        <source>Saving the volume</source>
+        <translation>Volumen wird gesichert</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
+    </message>
+</context>
+<context>
     <name>lacuna::ui::FrameScheduler</name>
     <message>
         <source>%1 · %2 · step %3</source>
@@ -2244,6 +1859,52 @@
     <message>
         <source>being looked for</source>
         <translation>wird gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::ImportFeature</name>
+    <message>
+        <source>&amp;DICOM browser…</source>
+        <translation>&amp;DICOM-Browser…</translation>
+    </message>
+    <message>
+        <source>&amp;Import a raw volume…</source>
+        <translation>&amp;Rohdaten einlesen…</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Ausgeben</translation>
+    </message>
+    <message>
+        <source>&amp;Anonymised DICOM…</source>
+        <translation>&amp;Anonymisiertes DICOM…</translation>
+    </message>
+    <message>
+        <source>The images of the open series without the patient&apos;s data, as PS3.15 describes it</source>
+        <translation>Die Bilder der offenen Serie ohne die Daten des Patienten, wie PS3.15 es beschreibt</translation>
+    </message>
+    <message>
+        <source>Import a raw volume</source>
+        <translation>Rohdaten einlesen</translation>
+    </message>
+    <message>
+        <source>Raw volumes (*.raw *.img *.vol *.bin *.dat);;All files (*)</source>
+        <translation>Rohdaten (*.raw *.img *.vol *.bin *.dat);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>New folder for the anonymised images</source>
+        <translation>Neuer Ordner für die anonymisierten Bilder</translation>
+    </message>
+    <message>
+        <source>Anonymising</source>
+        <translation>Wird anonymisiert</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n anonymised images were written.</source>
+        <translation>
+            <numerusform>%n anonymisiertes Bild wurde geschrieben.</numerusform>
+            <numerusform>%n anonymisierte Bilder wurden geschrieben.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2517,7 +2178,7 @@
     </message>
     <message>
         <source>Corrected</source>
-        <translation>Behoben</translation>
+        <translation>Berichtigt</translation>
     </message>
     <message>
         <source>Bounded</source>
@@ -2525,7 +2186,7 @@
     </message>
     <message>
         <source>What is done:</source>
-        <translation>Was dagegen getan wird:</translation>
+        <translation>Was getan wird:</translation>
     </message>
     <message>
         <source>How far off:</source>
@@ -2541,21 +2202,21 @@
     </message>
     <message>
         <source>Looking at what of this the volume holds…</source>
-        <translation>Es wird nachgesehen, was davon im Volumen vorkommt…</translation>
+        <translation>Es wird nachgesehen, was davon das Volumen hat…</translation>
     </message>
     <message>
         <source>The scene on screen meets none of these failures, as far as facts about its voxels tell.</source>
-        <translation>Die Szene auf dem Schirm trifft keine dieser Schwächen, soweit Messungen an ihren Voxeln das sagen.</translation>
+        <translation>Die gezeigte Szene trifft keinen dieser Fälle, soweit Tatsachen über ihre Voxel es sagen.</translation>
     </message>
     <message>
         <source>Known of this way of drawing, and not met here:</source>
-        <translation>Von dieser Art zu zeichnen bekannt, hier nicht getroffen:</translation>
+        <translation>Von dieser Art zu zeichnen bekannt und hier nicht getroffen:</translation>
     </message>
     <message numerus="yes">
         <source>The scene on screen meets %n of these failures:</source>
         <translation>
-            <numerusform>Die Szene auf dem Schirm trifft %n dieser Schwächen:</numerusform>
-            <numerusform>Die Szene auf dem Schirm trifft %n dieser Schwächen:</numerusform>
+            <numerusform>Die gezeigte Szene trifft %n dieser Fälle:</numerusform>
+            <numerusform>Die gezeigte Szene trifft %n dieser Fälle:</numerusform>
         </translation>
     </message>
 </context>
@@ -2642,10 +2303,6 @@
     <message>
         <source>Open &amp;sample</source>
         <translation>&amp;Beispiel öffnen</translation>
-    </message>
-    <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -2788,14 +2445,6 @@
         <translation>Volumen (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif *.tiff);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Save the 3D picture</source>
-        <translation>3D-Bild sichern</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png)</source>
-        <translation>Bilder (*.png)</translation>
-    </message>
-    <message>
         <source>Lacuna</source>
         <translation>Lacuna</translation>
     </message>
@@ -2862,10 +2511,6 @@
     <message>
         <source>&amp;Export</source>
         <translation>&amp;Ausgeben</translation>
-    </message>
-    <message>
-        <source>The 3D &amp;picture…</source>
-        <translation>Das 3D-&amp;Bild…</translation>
     </message>
 </context>
 <context>
@@ -3040,6 +2685,330 @@
     </message>
 </context>
 <context>
+    <name>lacuna::ui::PacsDialog</name>
+    <message>
+        <source>DICOM servers (PACS)</source>
+        <translation>DICOM-Server (PACS)</translation>
+    </message>
+    <message>
+        <source>Patient / series</source>
+        <translation>Patient / Serie</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Studies found</source>
+        <translation>Gefundene Studien</translation>
+    </message>
+    <message>
+        <source>What happened last</source>
+        <translation>Was zuletzt geschah</translation>
+    </message>
+    <message>
+        <source>&amp;Retrieve and open…</source>
+        <translation>&amp;Holen und öffnen…</translation>
+    </message>
+    <message>
+        <source>Copies the chosen series, or the whole study, into a folder and opens it (C-GET)</source>
+        <translation>Kopiert die gewählte Serie oder die ganze Studie in einen Ordner und öffnet sie (C-GET)</translation>
+    </message>
+    <message>
+        <source>&amp;Send files…</source>
+        <translation>Dateien &amp;senden…</translation>
+    </message>
+    <message>
+        <source>Sends DICOM files, such as segmentations, reports and captures, to the server (C-STORE)</source>
+        <translation>Sendet DICOM-Dateien wie Segmentierungen, Berichte und Aufnahmen an den Server (C-STORE)</translation>
+    </message>
+    <message>
+        <source>Ser&amp;ver</source>
+        <translation>Ser&amp;ver</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>Server</translation>
+    </message>
+    <message>
+        <source>&amp;Add…</source>
+        <translation>&amp;Hinzufügen…</translation>
+    </message>
+    <message>
+        <source>&amp;Edit…</source>
+        <translation>&amp;Bearbeiten…</translation>
+    </message>
+    <message>
+        <source>Remo&amp;ve</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Test</source>
+        <translation>&amp;Testen</translation>
+    </message>
+    <message>
+        <source>Asks the server whether it is there (C-ECHO)</source>
+        <translation>Fragt den Server, ob er da ist (C-ECHO)</translation>
+    </message>
+    <message>
+        <source>Patient&apos;s &amp;name</source>
+        <translation>&amp;Name des Patienten</translation>
+    </message>
+    <message>
+        <source>Patient&apos;s &amp;ID</source>
+        <translation>&amp;Kennung des Patienten</translation>
+    </message>
+    <message>
+        <source>A&amp;ccession number</source>
+        <translation>&amp;Auftragsnummer</translation>
+    </message>
+    <message>
+        <source>Family name; * and ? stand for any letters</source>
+        <translation>Familienname; * und ? stehen für beliebige Buchstaben</translation>
+    </message>
+    <message>
+        <source>Any date</source>
+        <translation>Jedes Datum</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Heute</translation>
+    </message>
+    <message>
+        <source>Last 7 days</source>
+        <translation>Letzte 7 Tage</translation>
+    </message>
+    <message>
+        <source>Last 30 days</source>
+        <translation>Letzte 30 Tage</translation>
+    </message>
+    <message>
+        <source>Last 12 months</source>
+        <translation>Letzte 12 Monate</translation>
+    </message>
+    <message>
+        <source>Any kind</source>
+        <translation>Jede Art</translation>
+    </message>
+    <message>
+        <source>&amp;Date</source>
+        <translation>&amp;Datum</translation>
+    </message>
+    <message>
+        <source>&amp;Kind</source>
+        <translation>A&amp;rt</translation>
+    </message>
+    <message>
+        <source>&amp;Search</source>
+        <translation>&amp;Suchen</translation>
+    </message>
+    <message>
+        <source>Add a server first.</source>
+        <translation>Zuerst einen Server hinzufügen.</translation>
+    </message>
+    <message>
+        <source>Asking…</source>
+        <translation>Wird gefragt…</translation>
+    </message>
+    <message>
+        <source>Testing a DICOM server</source>
+        <translation>DICOM-Server wird getestet</translation>
+    </message>
+    <message>
+        <source>The server is there and accepts this program.</source>
+        <translation>Der Server ist da und nimmt dieses Programm an.</translation>
+    </message>
+    <message>
+        <source>Searching…</source>
+        <translation>Wird gesucht…</translation>
+    </message>
+    <message>
+        <source>Searching a DICOM server</source>
+        <translation>DICOM-Server wird durchsucht</translation>
+    </message>
+    <message>
+        <source>Patient %1</source>
+        <translation>Patient %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n studies found.</source>
+        <translation>
+            <numerusform>%n Studie gefunden.</numerusform>
+            <numerusform>%n Studien gefunden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source> There are more; narrow the search.</source>
+        <translation> Es gibt mehr; die Suche enger fassen.</translation>
+    </message>
+    <message>
+        <source>Asking for the series of a study</source>
+        <translation>Serien einer Studie werden erfragt</translation>
+    </message>
+    <message>
+        <source>Series %1</source>
+        <translation>Serie %1</translation>
+    </message>
+    <message>
+        <source>Folder to retrieve into</source>
+        <translation>Ordner, in den geholt wird</translation>
+    </message>
+    <message>
+        <source>Retrieving…</source>
+        <translation>Wird geholt…</translation>
+    </message>
+    <message>
+        <source>Retrieving from a DICOM server</source>
+        <translation>Wird von einem DICOM-Server geholt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files retrieved.</source>
+        <translation>
+            <numerusform>%n Datei geholt.</numerusform>
+            <numerusform>%n Dateien geholt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source> The server could not send %n.</source>
+        <translation>
+            <numerusform> Der Server konnte %n nicht senden.</numerusform>
+            <numerusform> Der Server konnte %n nicht senden.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>DICOM files to send</source>
+        <translation>Zu sendende DICOM-Dateien</translation>
+    </message>
+    <message>
+        <source>DICOM files (*.dcm);;All files (*)</source>
+        <translation>DICOM-Dateien (*.dcm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Sending…</source>
+        <translation>Wird gesendet…</translation>
+    </message>
+    <message>
+        <source>Sending to a DICOM server</source>
+        <translation>Wird an einen DICOM-Server gesendet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files sent.</source>
+        <translation>
+            <numerusform>%n Datei gesendet.</numerusform>
+            <numerusform>%n Dateien gesendet.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source> The server did not take %n.</source>
+        <translation>
+            <numerusform> Der Server nahm %n nicht an.</numerusform>
+            <numerusform> Der Server nahm %n nicht an.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::PacsFeature</name>
+    <message>
+        <source>DICOM ser&amp;vers (PACS)…</source>
+        <translation>DICOM-Ser&amp;ver (PACS)…</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::PacsServerDialog</name>
+    <message>
+        <source>&amp;Secure connection (TLS)</source>
+        <translation>&amp;Sichere Verbindung (TLS)</translation>
+    </message>
+    <message>
+        <source>Trusted certificates</source>
+        <translation>Vertraute Zertifikate</translation>
+    </message>
+    <message>
+        <source>Own certificate</source>
+        <translation>Eigenes Zertifikat</translation>
+    </message>
+    <message>
+        <source>Own private key</source>
+        <translation>Eigener privater Schlüssel</translation>
+    </message>
+    <message>
+        <source>DICOM server</source>
+        <translation>DICOM-Server</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>TLS 1.2 or newer with the ciphers of BCP 195</source>
+        <translation>TLS 1.2 oder neuer mit den Verfahren von BCP 195</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>&amp;Host</source>
+        <translation>&amp;Rechner</translation>
+    </message>
+    <message>
+        <source>&amp;Port</source>
+        <translation>&amp;Port</translation>
+    </message>
+    <message>
+        <source>Its &amp;AE title</source>
+        <translation>Sein &amp;AE-Titel</translation>
+    </message>
+    <message>
+        <source>&amp;Our AE title</source>
+        <translation>&amp;Unser AE-Titel</translation>
+    </message>
+    <message>
+        <source>&amp;Wait at most</source>
+        <translation>&amp;Höchstens warten</translation>
+    </message>
+    <message>
+        <source>&amp;Trusted certificates</source>
+        <translation>&amp;Vertraute Zertifikate</translation>
+    </message>
+    <message>
+        <source>Own &amp;certificate</source>
+        <translation>Eigenes &amp;Zertifikat</translation>
+    </message>
+    <message>
+        <source>Own private &amp;key</source>
+        <translation>Eigener privater &amp;Schlüssel</translation>
+    </message>
+    <message>
+        <source>PEM file</source>
+        <translation>PEM-Datei</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>PEM files (*.pem *.crt *.key);;All files (*)</source>
+        <translation>PEM-Dateien (*.pem *.crt *.key);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
     <name>lacuna::ui::PatientFeature</name>
     <message>
         <source>Patient &amp;data</source>
@@ -3103,6 +3072,13 @@
     <message>
         <source>&amp;Reset the view</source>
         <translation>Ansicht &amp;zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::PicturePreview</name>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
     </message>
 </context>
 <context>
@@ -3467,6 +3443,200 @@
     <message>
         <source>Colour of range %1</source>
         <translation>Farbe von Bereich %1</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::RawImportDialog</name>
+    <message>
+        <source>8 bit, unsigned</source>
+        <translation>8 Bit, ohne Vorzeichen</translation>
+    </message>
+    <message>
+        <source>8 bit, signed</source>
+        <translation>8 Bit, mit Vorzeichen</translation>
+    </message>
+    <message>
+        <source>16 bit, unsigned</source>
+        <translation>16 Bit, ohne Vorzeichen</translation>
+    </message>
+    <message>
+        <source>16 bit, signed</source>
+        <translation>16 Bit, mit Vorzeichen</translation>
+    </message>
+    <message>
+        <source>32 bit, floating point</source>
+        <translation>32 Bit, Gleitkomma</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3, %4</source>
+        <translation>%1 × %2 × %3, %4</translation>
+    </message>
+    <message>
+        <source>, big endian</source>
+        <translation>, Big Endian</translation>
+    </message>
+    <message>
+        <source>, little endian</source>
+        <translation>, Little Endian</translation>
+    </message>
+    <message numerus="yes">
+        <source>, behind %n header bytes</source>
+        <translation>
+            <numerusform>, hinter %n Byte Kopf</numerusform>
+            <numerusform>, hinter %n Bytes Kopf</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>under 1 % sure</source>
+        <translation>unter 1 % sicher</translation>
+    </message>
+    <message>
+        <source>%1 % sure</source>
+        <translation>%1 % sicher</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 einlesen</translation>
+    </message>
+    <message>
+        <source>Proposals</source>
+        <translation>Vorschläge</translation>
+    </message>
+    <message>
+        <source>Looking at the file…</source>
+        <translation>Die Datei wird angesehen…</translation>
+    </message>
+    <message>
+        <source>&amp;Proposals, the likeliest first</source>
+        <translation>&amp;Vorschläge, der wahrscheinlichste zuerst</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Höhe</translation>
+    </message>
+    <message>
+        <source>&amp;Depth</source>
+        <translation>&amp;Tiefe</translation>
+    </message>
+    <message>
+        <source> voxels</source>
+        <translation> Voxel</translation>
+    </message>
+    <message>
+        <source> slices</source>
+        <translation> Schichten</translation>
+    </message>
+    <message>
+        <source>Voxel type</source>
+        <translation>Voxeltyp</translation>
+    </message>
+    <message>
+        <source>&amp;Type</source>
+        <translation>T&amp;yp</translation>
+    </message>
+    <message>
+        <source>Little endian</source>
+        <translation>Little Endian</translation>
+    </message>
+    <message>
+        <source>Big endian</source>
+        <translation>Big Endian</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Byte-Reihenfolge</translation>
+    </message>
+    <message>
+        <source>Which byte of a wider number comes first; PCs write little endian</source>
+        <translation>Welches Byte einer breiteren Zahl zuerst kommt; PCs schreiben Little Endian</translation>
+    </message>
+    <message>
+        <source>&amp;Byte order</source>
+        <translation>Byte-&amp;Reihenfolge</translation>
+    </message>
+    <message>
+        <source> bytes</source>
+        <translation> Bytes</translation>
+    </message>
+    <message>
+        <source>Header</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>Bytes before the first voxel</source>
+        <translation>Bytes vor dem ersten Voxel</translation>
+    </message>
+    <message>
+        <source>H&amp;eader</source>
+        <translation>&amp;Kopf</translation>
+    </message>
+    <message>
+        <source>Spacing between columns</source>
+        <translation>Abstand zwischen Spalten</translation>
+    </message>
+    <message>
+        <source>Spacing between rows</source>
+        <translation>Abstand zwischen Zeilen</translation>
+    </message>
+    <message>
+        <source>Spacing between slices</source>
+        <translation>Abstand zwischen Schichten</translation>
+    </message>
+    <message>
+        <source>&amp;Spacing in mm</source>
+        <translation>&amp;Abstand in mm</translation>
+    </message>
+    <message>
+        <source>Size of the file</source>
+        <translation>Größe der Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the depth</source>
+        <translation>Tiefe an&amp;passen</translation>
+    </message>
+    <message>
+        <source>As many slices as the file holds</source>
+        <translation>So viele Schichten, wie die Datei enthält</translation>
+    </message>
+    <message>
+        <source>The &amp;rest is header</source>
+        <translation>Der R&amp;est ist Kopf</translation>
+    </message>
+    <message>
+        <source>Takes all bytes the voxels do not need for a header before them</source>
+        <translation>Nimmt alle Bytes, die die Voxel nicht brauchen, für einen Kopf davor</translation>
+    </message>
+    <message>
+        <source>Slice shown</source>
+        <translation>Gezeigte Schicht</translation>
+    </message>
+    <message>
+        <source>Nothing can be told from this file; enter what you know of it.</source>
+        <translation>Aus dieser Datei lässt sich nichts erkennen; eingeben, was bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Voxels and header take %1 of the file&apos;s %2 bytes</source>
+        <translation>Voxel und Kopf nehmen %1 von %2 Bytes der Datei</translation>
+    </message>
+    <message>
+        <source>: %1 too many.</source>
+        <translation>: %1 zu viel.</translation>
+    </message>
+    <message>
+        <source>: %1 are left over.</source>
+        <translation>: %1 bleiben übrig.</translation>
+    </message>
+    <message>
+        <source>: it fits.</source>
+        <translation>: es passt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>

@@ -176,9 +176,8 @@ TEST_F(ShellTest, TheSheetHoldsEveryKeyAndIsPrinted) {
     int keys = 0;
     for (const CatalogEntry& entry : catalog()) keys += !entry.shortcut.isEmpty();
     EXPECT_EQ(sheet->shownRows(), keys + int(gestures().size()));
-    sheet->edit()->setText(QStringLiteral("cutting plane"));
-    EXPECT_GE(sheet->shownRows(), 1);
-    EXPECT_LT(sheet->shownRows(), 6);
+    sheet->edit()->setText(QStringLiteral("file quit"));
+    EXPECT_EQ(sheet->shownRows(), 1);
     sheet->edit()->clear();
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("keys.pdf"));
