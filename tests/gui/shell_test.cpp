@@ -240,6 +240,14 @@ TEST_F(ShellTest, TheLayoutIsRememberedAndReset) {
     EXPECT_TRUE(preferences::window_state().isEmpty());
 }
 
+TEST_F(ShellTest, TheWindowFitsASmallScreen) {
+    open(k_casting);
+    EXPECT_LE(window->minimumSizeHint().width(), 1280);
+    EXPECT_LE(window->minimumSizeHint().height(), 900);
+    for (QDockWidget* dock : window->findChildren<QDockWidget*>())
+        EXPECT_LE(dock->minimumSizeHint().width(), 820) << dock->objectName().toStdString();
+}
+
 TEST_F(ShellTest, RubbishInTheRememberedLayoutDoesNoHarm) {
     preferences::set_window("rubbish", QByteArray(3000, '\x7f'));
     preferences::set_views_state(QByteArray("\0\0\0\1\0\0\0\7", 8));
