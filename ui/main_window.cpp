@@ -39,7 +39,6 @@ MainWindow::MainWindow(EngineFactory make_engine, QWidget* parent)
       engine_job_(this) {
     setWindowTitle(tr("Lacuna"));
     setAcceptDrops(true);
-    resize(1480, 940);
     setStatusBar(status_);
     buildCentre();
     buildDocks();

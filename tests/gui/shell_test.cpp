@@ -244,6 +244,8 @@ TEST_F(ShellTest, TheWindowFitsASmallScreen) {
     open(k_casting);
     EXPECT_LE(window->minimumSizeHint().width(), 1280);
     EXPECT_LE(window->minimumSizeHint().height(), 900);
+    const MainWindow fresh([](const JobContext&) { return std::make_shared<Engine>(nullptr); });
+    EXPECT_LE(fresh.width(), 1480);
     for (QDockWidget* dock : window->findChildren<QDockWidget*>())
         EXPECT_LE(dock->minimumSizeHint().width(), 820) << dock->objectName().toStdString();
 }

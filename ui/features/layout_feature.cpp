@@ -1,6 +1,8 @@
 #include "ui/features/layout_feature.h"
 
 #include <QEvent>
+#include <QLayout>
+#include <QScreen>
 
 #include "ui/preferences.h"
 #include "ui/theme_control.h"
@@ -9,6 +11,10 @@
 namespace lacuna::ui {
 
 using Menu = Workbench::Menu;
+
+namespace {
+constexpr QSize k_first_size{1480, 940};
+}
 
 LayoutFeature::LayoutFeature(Workbench& bench) : QObject(&bench), bench_(bench), arrangements_(new QActionGroup(this)) {
     addArrangements();
@@ -20,9 +26,16 @@ LayoutFeature::LayoutFeature(Workbench& bench) : QObject(&bench), bench_(bench),
     bench.addAlways(panels, tr("&Reset the layout"), QKeySequence(QStringLiteral("Ctrl+Shift+0")), this,
                     &LayoutFeature::reset);
     first_state_ = bench.window()->saveState();
-    bench.window()->restoreGeometry(preferences::window_geometry());
     bench.window()->restoreState(preferences::window_state());
     bench.views()->restoreState(preferences::views_state());
+    // Docks stand side by side until they are stacked, which widened the window and its least size: both are found
+    // anew.
+    QMainWindow* window = bench.window();
+    window->setMinimumSize(0, 0);
+    window->layout()->invalidate();
+    window->layout()->activate();
+    if (!window->restoreGeometry(preferences::window_geometry()))
+        window->resize(k_first_size.boundedTo(window->screen()->availableSize()));
     bench.window()->installEventFilter(this);
 }
 
