@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the pictures of README.md with the commands it names. Needs build/bin (./run builds it); the window's picture
-# also needs xvfb and imagemagick and is left as it is without them.
+# Makes the pictures of README.md with the commands it names. Needs build/bin (./run builds it); the window's pictures
+# also need xvfb and imagemagick, those of the walk build/bin/test_gui too, and are left as they are without them.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 lacuna=${LACUNA:-build/bin/lacuna}
@@ -24,4 +24,12 @@ if command -v Xvfb >/dev/null && command -v import >/dev/null; then
     sleep 12   # the window shows no sign of its own that a picture is final
     DISPLAY=:97 import -window root -quality 95 docs/images/window.png
     kill "$window" "$server"
+    # The steps of the newcomer's path, each as tests/gui/walk_test.cpp finds it.
+    if [ -x "${lacuna%lacuna}test_gui" ]; then
+        walk=$(mktemp -d)
+        QT_QPA_PLATFORM=xcb LACUNA_SHOTS=$walk xvfb-run -a -s "-screen 0 1480x940x24" "${lacuna%lacuna}test_gui" \
+            --gtest_filter='WalkTest.From*' >/dev/null
+        for step in 4-measure 5-inspect; do cp "$walk/walk-$step.png" docs/images/; done
+        rm -r "$walk"
+    fi
 fi
