@@ -126,12 +126,15 @@ bool project_box(const Projection& view, const glm::dvec3& middle, const glm::dv
 OctantSet octants_of_rays(const RayParams& rays, int margin_px) {
     const double lo = -margin_px, hi_x = rays.width + margin_px, hi_y = rays.height + margin_px;
     OctantSet octants = k_all_octants;
+    // Where single precision may see another sign, or none, both count: told by the length of the whole direction.
+    double rounding = 0;
+    for (int a = 0; a < 3; ++a)
+        rounding = std::max(rounding, 1e-5 * (std::abs(rays.dir[a]) + std::abs(rays.dir_dx[a]) * hi_x +
+                                              std::abs(rays.dir_dy[a]) * hi_y));
     for (int a = 0; a < 3; ++a) {
         const double at = rays.dir[a], dx = rays.dir_dx[a], dy = rays.dir_dy[a];
         const double least = at + std::min(dx * lo, dx * hi_x) + std::min(dy * lo, dy * hi_y);
         const double most = at + std::max(dx * lo, dx * hi_x) + std::max(dy * lo, dy * hi_y);
-        // Where single precision may see another sign, both count.
-        const double rounding = 1e-5 * (std::abs(at) + std::abs(dx) * hi_x + std::abs(dy) * hi_y);
         OctantSet falling = 0;
         for (int octant = 0; octant < 8; ++octant) falling |= OctantSet(octant >> a & 1) << octant;
         if (least > rounding) octants &= ~falling;

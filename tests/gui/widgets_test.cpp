@@ -81,7 +81,9 @@ TEST(SlicePose, TiltedPlanesStayAtRightAnglesAndGoThroughTheCrossHair) {
             EXPECT_NEAR(glm::dot(normals[a], normals[(a + 1) % 3]), 0, 1e-12);
             const SlicePose pose = slice_pose(geometry, k_slice_kinds[a], tilt, cursor);
             EXPECT_NEAR(glm::distance(pose.frame.normal(), normals[a]), 0, 1e-9);
-            if (pose.oblique) EXPECT_NEAR(pose.frame.depth_mm(cursor), 0, 1e-9);
+            if (pose.oblique) {
+                EXPECT_NEAR(pose.frame.depth_mm(cursor), 0, 1e-9);
+            }
         }
     }
 }

@@ -191,8 +191,12 @@ TEST(VisibilityTableTest, AValueIsNoneOnlyWhereNoGradientCouldShowIt) {
                     all = all && c.tf.at(v).opacity > 0;  // shapes may be narrower than the steps over magnitudes
                 }
                 const Answer answer = table.query({lo, lo + width});
-                if (any) ASSERT_NE(answer, Answer::none) << round << " at " << lo;
-                if (!all) ASSERT_NE(answer, Answer::all) << round << " at " << lo;
+                if (any) {
+                    ASSERT_NE(answer, Answer::none) << round << " at " << lo;
+                }
+                if (!all) {
+                    ASSERT_NE(answer, Answer::all) << round << " at " << lo;
+                }
                 none += answer == Answer::none;
                 some += any;
             }

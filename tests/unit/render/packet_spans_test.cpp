@@ -107,7 +107,9 @@ TEST(PacketSpans, LeaveEmptyPacketsOut) {
         std::size_t met = 0;
         for (const glm::vec2& span : found) {
             met += span.x <= span.y;
-            if (span.x <= span.y) EXPECT_LT(span.y - span.x, 10);
+            if (span.x <= span.y) {
+                EXPECT_LT(span.y - span.x, 10);
+            }
         }
         EXPECT_GT(met, 0u);
         EXPECT_LT(met, 13u) << view.name;

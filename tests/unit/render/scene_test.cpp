@@ -44,7 +44,7 @@ TEST(Scene, EachFaultIsRefusedAsBadUsage) {
     const double nan = double(k_nan);
     const std::function<void(Scene&)> faults[] = {
         [](Scene& s) { s.volume = Volume(); },
-        [](Scene& s) { s.cuts.assign(9, CuttingPlane{}); },
+        [](Scene& s) { s.cuts.assign(Scene::k_max_cuts + 1, CuttingPlane{}); },
         [](Scene& s) {
             s.cuts = {{{0, 0, 0}, 1, true}};
         },
@@ -55,7 +55,7 @@ TEST(Scene, EachFaultIsRefusedAsBadUsage) {
             s.cuts = {{{1, 0, 0}, nan, true}};
         },
         [](Scene& s) {
-            s.classification.ranges.assign(9, {"", {0, 1}, std::nullopt});
+            s.classification.ranges.assign(Classification::k_max_ranges + 1, {"", {0, 1}, std::nullopt});
         },
         [](Scene& s) {
             s.classification.ranges = {{"", {2, 1}, std::nullopt}};
