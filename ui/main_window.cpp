@@ -148,7 +148,7 @@ void MainWindow::connectLoading() {
     connect(welcome_, &WelcomePage::openFileRequested, this, &MainWindow::openFile);
     connect(welcome_, &WelcomePage::sampleRequested, this, &MainWindow::openInput);
     connect(loader_, &LoadController::started, this, [this] {
-        messages_->hide();
+        messages_->dismiss();
         bench_->tasks()->end(load_task_);
         load_task_ = bench_->tasks()->begin(tr("Opening"), [this] { loader_->cancel(); });
     });

@@ -121,6 +121,7 @@ TEST_F(PlotTest, TheHistogramIsLinearOrLogarithmic) {
 class ColoursTest : public test::WindowTest {
 protected:
     void SetUp() override {
+        home = qgetenv("XDG_DATA_HOME");
         qputenv("XDG_DATA_HOME", data.path().toUtf8());
         WindowTest::SetUp();
         presets = window->findChild<PresetsFeature*>();
@@ -128,10 +129,11 @@ protected:
     }
     void TearDown() override {
         window.reset();  // before its folder goes
-        qunsetenv("XDG_DATA_HOME");
+        qputenv("XDG_DATA_HOME", home);
     }
     TransferPanel* panel() { return window->transferPanel(); }
     QTemporaryDir data;
+    QByteArray home;  ///< the data folder of all other tests
     PresetsFeature* presets = nullptr;
 };
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "ui/views/slice_annotations.h"
 #include "ui/views/slice_image.h"
 #include "ui/views/slice_plane.h"
+#include "ui/widgets/message_bar.h"
 #include "ui/widgets/range_slider.h"
 #include "ui/widgets/transfer_plot.h"
 #include "ui/widgets/value_slider.h"
@@ -272,6 +274,26 @@ TEST(LatestJob, ErrorsCrossAsValuesAndTheEndWaits) {
     EXPECT_TRUE(left);
     QCoreApplication::processEvents();
     EXPECT_TRUE(seen);
+}
+
+TEST(MessageBar, AQuestionOutlastsWhatElseIsSaid) {
+    MessageBar bar;
+    int restored = 0;
+    bar.ask(QStringLiteral("Restore?"), {{QStringLiteral("Yes"), [&] { ++restored; }}, {QStringLiteral("No"), [] {}}});
+    bar.showError(QStringLiteral("A preset cannot be read."));
+    EXPECT_TRUE(bar.text().contains(QStringLiteral("preset")));
+    EXPECT_TRUE(bar.text().contains(QStringLiteral("Restore?")));
+    ASSERT_EQ(bar.answerButtons().size(), 2);
+    bar.answerButtons().front()->click();
+    EXPECT_EQ(restored, 1);
+    EXPECT_TRUE(bar.isHidden());
+    bar.showNotice(QStringLiteral("Saved."));
+    EXPECT_EQ(bar.text(), QStringLiteral("Saved."));
+    EXPECT_TRUE(bar.answerButtons().isEmpty());
+    bar.ask(QStringLiteral("One?"), {{QStringLiteral("Yes"), [] {}}});
+    bar.ask(QStringLiteral("Two?"), {{QStringLiteral("Yes"), [] {}}});
+    EXPECT_EQ(bar.text(), QStringLiteral("Two?"));
+    EXPECT_EQ(bar.answerButtons().size(), 1);
 }
 
 }  // namespace

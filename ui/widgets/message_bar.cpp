@@ -17,7 +17,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), row_(new QHBoxLayout(t
     auto* close = new QPushButton(tr("Dismiss"), this);
     close->setAccessibleName(tr("Dismiss the message"));
     close->setShortcut(QKeySequence(Qt::Key_Escape));
-    connect(close, &QPushButton::clicked, this, &QWidget::hide);
+    connect(close, &QPushButton::clicked, this, &MessageBar::dismiss);
     row_->addWidget(label_, 1);
     row_->addWidget(close);
     hide();
@@ -26,12 +26,21 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), row_(new QHBoxLayout(t
 void MessageBar::showError(const QString& sentence) { showText(sentence, true); }
 void MessageBar::showNotice(const QString& sentence) { showText(sentence, false); }
 
+void MessageBar::dismiss() {
+    hide();
+    for (QPushButton* button : answers_) button->deleteLater();
+    answers_.clear();
+    question_.clear();
+}
+
 void MessageBar::ask(const QString& sentence, const Answers& answers) {
+    dismiss();
     showText(sentence, false);
+    question_ = sentence;
     for (const auto& [text, act] : answers) {
         auto* button = new QPushButton(text, this);
         connect(button, &QPushButton::clicked, this, [this, act = act] {
-            hide();
+            dismiss();
             act();
         });
         row_->insertWidget(row_->count() - 1, button);  // before the one that dismisses
@@ -40,10 +49,8 @@ void MessageBar::ask(const QString& sentence, const Answers& answers) {
 }
 
 void MessageBar::showText(const QString& sentence, bool error) {
-    for (QPushButton* button : answers_) button->deleteLater();
-    answers_.clear();
     error_ = error;
-    label_->setText(sentence);
+    label_->setText(question_.isEmpty() ? sentence : sentence + QLatin1Char('\n') + question_);
     show();
     update();
 }

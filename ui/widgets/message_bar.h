@@ -21,13 +21,16 @@ public:
     bool isError() const { return error_; }
     /// What can be done about it, each a button; any of them closes the bar.
     using Answers = QList<std::pair<QString, std::function<void()>>>;
-    /// Asks without stopping anyone: the question stays until it is answered, dismissed or replaced.
+    /// Asks without stopping anyone: the question stays until it is answered, dismissed or another one is asked. What
+    /// else is to be said meanwhile stands above it.
     void ask(const QString& sentence, const Answers& answers);
     const QList<QPushButton*>& answerButtons() const { return answers_; }
 
 public Q_SLOTS:
     void showError(const QString& sentence);
     void showNotice(const QString& sentence);
+    /// Hides the bar; a question it asked is taken back.
+    void dismiss();
 
 protected:
     void paintEvent(QPaintEvent*) override;
@@ -37,6 +40,7 @@ private:
     QHBoxLayout* row_;
     QLabel* label_;
     QList<QPushButton*> answers_;
+    QString question_;
     bool error_ = false;
 };
 
