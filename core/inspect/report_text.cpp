@@ -21,13 +21,6 @@ std::string short_interval(const Measured& value) {
     return fmt::format("{:.4g} [{:.4g}, {:.4g}]", value.value, value.lo, value.hi);
 }
 
-std::string csv_field(std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-    std::string result = "\"";
-    for (const char c : text) result.append(c == '"' ? 2 : 1, c);
-    return result + '"';
-}
-
 /// "name" -> "Component name"; DICOM's "MaterialGrade" -> "Component material grade", "ComponentShape" -> "Component
 /// shape".
 static std::string component_label(std::string_view name) {

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/csv.h"
 #include "core/inspect/report.h"
 
 // What more than one of the report's files says, in one place.
@@ -15,8 +16,6 @@ std::string exact_number(double value);
 std::string short_number(double value);
 /// "12.3 [11.9, 12.8]".
 std::string short_interval(const Measured& value);
-/// A field of a CSV line, quoted where it must be.
-std::string csv_field(std::string_view text);
 
 struct Fact {
     std::string name, value;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/csv.h"
 #include "core/regions/regions.h"
 
 namespace lacuna {
@@ -42,13 +43,6 @@ Json json_of(const RegionCharacteristics& row) {
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
 
 std::string triple(const glm::dvec3& v) { return number(v.x) + ' ' + number(v.y) + ' ' + number(v.z); }
-
-std::string csv_field(std::string_view text) {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-    std::string result = "\"";
-    for (const char c : text) result.append(c == '"' ? 2 : 1, c);
-    return result + '"';
-}
 
 std::string flags_of(const RegionCharacteristics& row) {
     std::string all;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/csv.h"
 #include "core/base/names.h"
 
 namespace lacuna {
@@ -75,13 +76,6 @@ std::string number(double value) {
     std::snprintf(text, sizeof text, "%.9g", value);
     std::replace(text, text + std::char_traits<char>::length(text), ',', '.');  // whatever the locale says
     return text;
-}
-
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + "\"";
 }
 
 }  // namespace
@@ -184,7 +178,7 @@ std::string measurements_to_csv(const Volume& volume, std::span<const Measuremen
         }
         out += std::to_string(m.id) + "," + std::string(name_of(m.kind));
         for (const std::string& text : cell) out += "," + text;
-        out += "," + quoted(volume.unit) + "," + quoted(points) + "\r\n";
+        out += "," + csv_field(volume.unit) + "," + csv_field(points) + "\r\n";
     }
     return out;
 }
