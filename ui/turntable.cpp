@@ -1,27 +1,16 @@
 #include "ui/turntable.h"
 
-#include <QBuffer>
 #include <QFileInfo>
-#include <QImage>
-#include <QPainter>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
 #include "core/base/atomic_file.h"
-#include "ui/frame_scheduler.h"
+#include "core/io/image_writer.h"
 
 namespace lacuna::ui {
 
 namespace {
-
-void write_png_file(const QImage& image, const QString& file) {
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    image.save(&buffer, "PNG");
-    write_file(file.toStdString(), {bytes.constData(), std::size_t(bytes.size())});
-}
 
 /// STEM-000.png and so on, with as many digits as the last one needs.
 QString frame_name(const QString& stem, int number, int frames) {
@@ -34,15 +23,12 @@ void draw_frames(const Turntable& table, const QString& stem, Engine& engine, co
         Scene scene = table.scene;
         scene.camera.azimuth_deg += 360.0 * i / table.frames;
         const Frame frame = engine.render(scene, table.plan, {job.stop, nullptr}).frame;
-        const QImage seen = to_image(frame);
-        QImage image(seen.size(), QImage::Format_RGB32);
-        image.fill(Qt::black);
-        QPainter(&image).drawImage(0, 0, seen);
-        write_png_file(image, frame_name(stem, i, table.frames));
+        write_png(frame_name(stem, i, table.frames).toStdString(), frame.size, to_rgb8(frame, glm::dvec3(0)));
         job.checkpoint(std::size_t(i) + 1, std::size_t(table.frames));
     }
 }
 
+/// The pictures' pattern is put together by hand: QString::arg would take ffmpeg's %0 for its own.
 void encode_film(const Turntable& table, const QString& stem, const QString& target, const JobContext& job) {
     const int digits = std::max(3, int(QString::number(table.frames - 1).size()));
     QStringList words{QStringLiteral("-y"),
@@ -51,7 +37,7 @@ void encode_film(const Turntable& table, const QString& stem, const QString& tar
                       QStringLiteral("-framerate"),
                       QStringLiteral("24"),
                       QStringLiteral("-i"),
-                      QStringLiteral("%1-%0%2d.png").arg(stem).arg(digits)};
+                      stem + QStringLiteral("-%0") + QString::number(digits) + QStringLiteral("d.png")};
     const bool webm = table.file.endsWith(QStringLiteral(".webm"), Qt::CaseInsensitive);
     words << QStringLiteral("-c:v") << (webm ? QStringLiteral("libvpx-vp9") : QStringLiteral("libx264"))
           << QStringLiteral("-pix_fmt") << QStringLiteral("yuv420p") << target;

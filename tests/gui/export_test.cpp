@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 
 #include "core/io/volume_reader.h"
+#include "ui/turntable.h"
 #include "window_fixture.h"
 
 namespace lacuna::ui::test {
@@ -54,6 +55,14 @@ TEST_F(ExportTest, ATurntableTurnsOnce) {
     const QImage front(path("turn-000.png")), side(path("turn-001.png"));
     EXPECT_GT(lit(front), 0.02);
     EXPECT_GT(difference(front, side), 0.01);
+}
+
+TEST_F(ExportTest, ATurntableIsAFilmWhereFfmpegIs) {
+    if (film_encoder().isEmpty()) GTEST_SKIP() << "ffmpeg is not installed";
+    ASSERT_TRUE(wrote([this] { exports()->saveTurntable(path("turn.webm"), 3); }))
+        << window->messageBar()->text().toStdString();
+    EXPECT_GT(QFileInfo(path("turn.webm")).size(), 500);
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1);
 }
 
 TEST_F(ExportTest, SurfaceAndVolumeAreWritten) {
