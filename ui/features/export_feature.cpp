@@ -90,15 +90,13 @@ void ExportFeature::askPicture(bool annotated) {
         QImageWriter::supportedImageFormats().contains("tiff") ? tr("Pictures (*.png *.tif)") : tr("Pictures (*.png)");
     const QString file = QFileDialog::getSaveFileName(bench_.window(), tr("Save the picture"),
                                                       preferences::save_path(QStringLiteral("lacuna.png")), filter);
-    if (!file.isEmpty())
-        run(tr("Saving the picture"), file, [image, file](const JobContext&) {
-            const QByteArray bytes = encoded(image, file);
-            write_file(file.toStdString(), {bytes.constData(), std::size_t(bytes.size())});
-        });
+    if (!file.isEmpty()) writePicture(image, file);
 }
 
-void ExportFeature::savePicture(const QString& file, bool annotated) {
-    run(tr("Saving the picture"), file, [image = picture(annotated), file](const JobContext&) {
+void ExportFeature::savePicture(const QString& file, bool annotated) { writePicture(picture(annotated), file); }
+
+void ExportFeature::writePicture(const QImage& image, const QString& file) {
+    run(tr("Saving the picture"), file, [image, file](const JobContext&) {
         const QByteArray bytes = encoded(image, file);
         write_file(file.toStdString(), {bytes.constData(), std::size_t(bytes.size())});
     });

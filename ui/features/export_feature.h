@@ -31,6 +31,7 @@ Q_SIGNALS:
 private:
     void buildMenu();
     void askPicture(bool annotated);
+    void writePicture(const QImage& image, const QString& file);
     /// Runs a job that writes a file and says where it stands.
     void run(const QString& name, const QString& file, std::function<void(const JobContext&)> work);
 

@@ -186,14 +186,14 @@ void SessionFeature::documentOpened() {
     sha256_.clear();
     file_.clear();
     const Document& document = bench_.documents()->document();
-    QString expected;
-    if (pending_ && QString::fromStdString(pending_->input) == QString::fromStdString(document.input)) {
+    std::string expected;
+    if (pending_ && pending_->input == document.input) {
         const Session session = *std::exchange(pending_, std::nullopt);
         try {
             Document shown = document;
             apply_session(session, shown);
             bench_.documents()->restore(shown.settings, shown.camera, shown.cursor_mm);
-            expected = QString::fromStdString(session.sha256);
+            expected = session.sha256;
             file_ = pending_file_;
             restoreInspection(session);
             Q_EMIT restored();
@@ -208,13 +208,13 @@ void SessionFeature::documentOpened() {
 }
 
 /// Hashes the voxels beside everything else: sessions are saved with it, and one just opened is held against it.
-void SessionFeature::checkVoxels(const QString& expected) {
+void SessionFeature::checkVoxels(const std::string& expected) {
     hash_.start(
         [volume = bench_.documents()->document().volume](const JobContext& job) { return voxel_sha256(volume, job); },
         [this, expected](Outcome<std::string> outcome) {
             if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
             sha256_ = std::get<0>(outcome);
-            if (!expected.isEmpty() && expected.toStdString() != sha256_)
+            if (!expected.empty() && expected != sha256_)
                 bench_.messages()->showError(
                     tr("The data changed since this session was saved: its voxels are not the same. Measurements "
                        "and decisions may not fit what is shown; save the session under another name to keep both."));

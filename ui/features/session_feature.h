@@ -45,7 +45,7 @@ private:
     void changed();
     void documentOpened();
     void restoreInspection(const Session& session);
-    void checkVoxels(const QString& expected);
+    void checkVoxels(const std::string& expected);
     void offerRecovery();
     void askForData(Session session, const QString& file);
     void start(Session session, const QString& file);
