@@ -37,10 +37,26 @@ function(lacuna_room name)
                                          PRIVATE ${ARG_PRIVATE_LIBRARIES})
 endfunction()
 
-# lacuna_tests(test_ROOM DEPENDS ... [LABEL label]): test program of all *_test.cpp in this folder, one CTest case named
-# ROOM.Suite.Case a GoogleTest case.
+# lacuna_register_tests(TARGET ROOM LABEL [FIRST] [ENVIRONMENT ...]): tells CTest of a GoogleTest program's suites, by
+# cmake/DiscoverSuites.cmake.
+function(lacuna_register_tests name room label)
+    cmake_parse_arguments(ARG "FIRST" "" "ENVIRONMENT" ${ARGN})
+    set(script ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
+    file(GENERATE OUTPUT ${script} CONTENT "set(program \"$<TARGET_FILE:${name}>\")
+set(room ${room})
+set(labels ${label})
+set(first ${ARG_FIRST})
+set(results \"${CMAKE_BINARY_DIR}/gtest\")
+set(environment ${ARG_ENVIRONMENT})
+include(\"${CMAKE_SOURCE_DIR}/cmake/DiscoverSuites.cmake\")
+")
+    set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${script})
+endfunction()
+
+# lacuna_tests(test_ROOM DEPENDS ... [LABEL label] [FIRST]): test program of all *_test.cpp in this folder, one CTest case
+# named ROOM.Suite a GoogleTest suite. FIRST: its suites take long, so they start before others.
 function(lacuna_tests name)
-    cmake_parse_arguments(ARG "" "LABEL" "DEPENDS" ${ARGN})
+    cmake_parse_arguments(ARG "FIRST" "LABEL" "DEPENDS" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS *_test.cpp)
     if(NOT sources)
         return()
@@ -57,5 +73,9 @@ function(lacuna_tests name)
         add_dependencies(sanitized_tests ${name})
     endif()
     string(REGEX REPLACE "^test_" "" room ${name})
-    gtest_discover_tests(${name} TEST_PREFIX ${room}. DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 LABELS ${label})
+    set(first "")
+    if(ARG_FIRST)
+        set(first FIRST)
+    endif()
+    lacuna_register_tests(${name} ${room} ${label} ${first})
 endfunction()
