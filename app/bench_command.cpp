@@ -110,6 +110,7 @@ int run_bench(BenchOptions& options, Console& console) {
     engine.set_memory_limit(options.input.memory_limit_bytes());
     SweepOptions sweeping;
     sweeping.extent = options.quick ? SweepExtent::quick : SweepExtent::full;
+    sweeping.closed_form = !options.quick;
     sweeping.rounds = options.rounds;
     sweeping.front = parse_front_error(options.front);
     std::vector<SceneResult> results;

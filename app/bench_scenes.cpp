@@ -7,6 +7,7 @@
 
 #include "app/parse.h"
 #include "core/base/atomic_file.h"
+#include "core/render/turn.h"
 
 namespace lacuna::cli {
 
@@ -138,11 +139,7 @@ SweepScene BenchScene::open(const Console& console, int views) {
     made.name = scene_.name;
     made.scene = options_.scene(volume, statistics);
     made.step = options_.plan(made.scene).step;
-    const int count = scene_.views > 0 ? scene_.views : views;
-    for (int i = 0; i < count; ++i) {
-        made.views.push_back(made.scene.camera);
-        made.views.back().azimuth_deg += 360.0 * i / count;
-    }
+    made.views = full_turn(made.scene.camera, scene_.views > 0 ? scene_.views : views);
     made.command = command();
     if (options_.input.input.starts_with("sample:"))
         made.sample = [input = options_.input.input](const JobContext& job) { return *open_sample(input, job); };

@@ -10,6 +10,7 @@
 #include "core/base/atomic_file.h"
 #include "core/compute/device_list.h"
 #include "core/io/image_writer.h"
+#include "core/render/turn.h"
 
 namespace lacuna::cli {
 
@@ -140,16 +141,17 @@ int run_render(RenderOptions& options, Console& console) {
     RenderRecord record;
     record.device = engine.device_name();
     DifferenceMap map;
-    const double azimuth = scene.camera.azimuth_deg;
+    const Camera first = scene.camera;
     const int frames = options.turntable();
+    const std::vector<Camera> views = full_turn(first, frames);
     for (int i = 0; i < frames; ++i) {
         const JobContext job = console.job(frames > 1 ? fmt::format("Rendering {}/{}", i + 1, frames) : "Rendering");
-        scene.camera.azimuth_deg = azimuth + 360.0 * i / frames;
+        scene.camera = views[std::size_t(i)];
         const Frame frame = render_frame(engine, scene, plan, !options.stats.empty(), job, record);
         if (options.verify) verify_frame(options, scene, plan, frame, console.job("Verifying"), record, map);
         write_png(options.frame_path(i), scene.size, to_rgb8(frame, scene.background));
     }
-    scene.camera.azimuth_deg = azimuth;
+    scene.camera = first;
     if (!options.verify_map.empty()) {
         write_png(options.verify_map, map.size, map.rgb);
         console.note_at_end(

@@ -7,6 +7,7 @@
 
 #include "app/parse.h"
 #include "core/base/atomic_file.h"
+#include "core/render/turn.h"
 
 namespace lacuna::cli {
 
@@ -313,6 +314,8 @@ std::optional<Budget> RenderOptions::budget() const {
     Budget budget{error_budget_, time_budget_};
     if (step_) budget.step = *step_;
     budget.frames = std::max(budget.frames, turntable_);
+    budget.other_views = full_turn(camera_, turntable_);
+    budget.other_views.erase(budget.other_views.begin());
     return budget;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/io/image_writer.h"
+#include "core/render/turn.h"
 
 namespace lacuna::ui {
 
@@ -18,13 +19,25 @@ QString frame_name(const QString& stem, int number, int frames) {
     return QStringLiteral("%1-%2.png").arg(stem).arg(number, digits, 10, QLatin1Char('0'));
 }
 
+Plan plan_of_turn(const Turntable& table, const std::vector<Camera>& views, Engine& engine, const JobContext& job) {
+    if (!table.budget) return table.plan;
+    Budget budget = *table.budget;
+    budget.frames = std::max(budget.frames, table.frames);
+    budget.other_views.assign(views.begin() + 1, views.end());
+    budget.costs = costs_of(engine, job.part(0, 0.1));
+    return choose_plan(engine, table.scene, budget, job.part(0.1, 1)).plan;
+}
+
 void draw_frames(const Turntable& table, const QString& stem, Engine& engine, const JobContext& job) {
+    const std::vector<Camera> views = full_turn(table.scene.camera, table.frames);
+    const Plan plan = plan_of_turn(table, views, engine, job.part(0, 0.1));
+    const JobContext drawing = job.part(0.1, 1);
+    Scene scene = table.scene;
     for (int i = 0; i < table.frames; ++i) {
-        Scene scene = table.scene;
-        scene.camera.azimuth_deg += 360.0 * i / table.frames;
-        const Frame frame = engine.render(scene, table.plan, {job.stop, nullptr}).frame;
+        scene.camera = views[std::size_t(i)];
+        const Frame frame = engine.render(scene, plan, {job.stop, nullptr}).frame;
         write_png(frame_name(stem, i, table.frames).toStdString(), frame.size, to_rgb8(frame, glm::dvec3(0)));
-        job.checkpoint(std::size_t(i) + 1, std::size_t(table.frames));
+        drawing.checkpoint(std::size_t(i) + 1, std::size_t(table.frames));
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/render/engine.h"
+#include "core/accuracy/planner.h"
 
 namespace lacuna::ui {
 
@@ -10,6 +10,8 @@ namespace lacuna::ui {
 struct Turntable {
     Scene scene;
     Plan plan;
+    /// Kept by every picture of the turn: the planner then picks another plan, as the one in use is for one view.
+    std::optional<Budget> budget;
     int frames = 72;
     QString file;  ///< .png: a series NAME-000.png ..; .mp4 or .webm: a film of 24 frames a second
 };

@@ -1,5 +1,6 @@
 #include "core/accuracy/image_error.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -107,9 +108,27 @@ TruePicture::~TruePicture() = default;
 TruePicture::TruePicture(TruePicture&&) noexcept = default;
 TruePicture& TruePicture::operator=(TruePicture&&) noexcept = default;
 
-ImageError TruePicture::compare(const Frame& frame, double budget) const {
+void TruePicture::require_alike(const Frame& frame) const {
     if (frame.size != frame_.size || frame.color.size() != frame_.color.size())
         throw Error(Errc::bad_usage, "Only pictures of the same size can be compared.");
+}
+
+double TruePicture::largest(const Frame& frame) const {
+    require_alike(frame);
+    double largest = 0;
+    for (std::size_t i = 0; i < frame.color.size(); ++i) {
+        if (frame.color[i] == frame_.color[i]) continue;  // never where a NaN is
+        const glm::dvec3 d = seen_color(frame.color[i], background_) - seen_color(frame_.color[i], background_);
+        for (int c = 0; c < 3; ++c) {
+            if (std::isnan(d[c])) return std::numeric_limits<double>::infinity();
+            largest = std::max(largest, std::fabs(d[c]));
+        }
+    }
+    return largest;
+}
+
+ImageError TruePicture::compare(const Frame& frame, double budget) const {
+    require_alike(frame);
     ImageError error;
     error.psnr = std::numeric_limits<double>::infinity();
     const std::size_t count = frame.color.size();

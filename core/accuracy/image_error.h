@@ -36,9 +36,13 @@ public:
     /// Cost: two passes over the pixels when the pictures are equal bit by bit, else SSIM and FLIP of the frame.
     /// @throws Error(bad_usage) if the sizes differ
     ImageError compare(const Frame& frame, double budget = 1.0) const;
+    /// The `max` of compare() alone, in 1/255; infinite for NaN. Cost: a pass over the pixels.
+    /// @throws Error(bad_usage) if the sizes differ
+    double largest(const Frame& frame) const;
 
 private:
     struct Measures;
+    void require_alike(const Frame& frame) const;
     Frame frame_;
     glm::dvec3 background_;
     mutable std::unique_ptr<Measures> measures_;

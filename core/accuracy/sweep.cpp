@@ -210,7 +210,7 @@ private:
         };
         errors.device = against(Truth::samples, nullptr, job.part(0, 0.1));
         errors.fine = against(Truth::fine, nullptr, job.part(0.1, 0.6));
-        if (!scene_.sample || options_.extent == SweepExtent::quick) return;
+        if (!scene_.sample || !options_.closed_form) return;
         try {
             const AnalyticSample sample = scene_.sample(job.part(0.6, 0.8));
             errors.closed_form = against(Truth::closed_form, &sample, job.part(0.8, 1));

@@ -36,6 +36,7 @@ struct SweepOptions {
     int rounds = 5;                                                 ///< times every plan is measured, all in turn
     double time_limit_s = std::numeric_limits<double>::infinity();  ///< what is not measured by then says so
     FrontError front = FrontError::max;
+    bool closed_form = true;  ///< hold the reference against a sample's formula, too; seconds a scene
 };
 
 /// One plan measured on one scene, or the reason why not.

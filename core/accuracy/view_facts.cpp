@@ -7,7 +7,6 @@
 #include "core/base/parallel.h"
 #include "core/render/reference_ray.h"
 #include "core/render/reference_sampler.h"
-#include "core/render/sparse_casting.h"
 
 namespace lacuna {
 
@@ -132,21 +131,6 @@ ViewFacts measure_view_facts(const Scene& scene, double step, int rays, const Jo
     add(facts.seen, sums.seen, weight);
     if (sums.changes > 0 && sums.hi > sums.lo) facts.value_change = sums.change / sums.changes / (sums.hi - sums.lo);
     return facts;
-}
-
-double sparse_share(const Frame& picture, int k, double gradient, double step_mm) {
-    const SparseGrid grid{k, picture.size};
-    Frame cast;
-    cast.size = grid.size();
-    for (int y = 0; y < cast.size.y; ++y)
-        for (int x = 0; x < cast.size.x; ++x) {
-            const glm::ivec2 at = glm::min(glm::ivec2(x, y) * k, picture.size - 1);
-            const std::size_t i = std::size_t(at.y) * std::size_t(picture.size.x) + std::size_t(at.x);
-            cast.color.push_back(picture.color[i]);
-            cast.depth_mm.push_back(picture.depth_mm[i]);
-        }
-    const double again = 16.0 * double(tiles_to_recast(cast, grid, gradient, step_mm).size());
-    return (double(cast.pixels()) + again) / double(picture.pixels());
 }
 
 }  // namespace lacuna

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/base/job.h"
-#include "core/render/frame.h"
 #include "core/render/scene.h"
 
 namespace lacuna {
@@ -28,9 +27,5 @@ struct ViewFacts {
 /// Measures a view's facts on the host. @param step in smallest voxel spacings @param rays about so many are followed
 /// @pre the scene's voxels are in memory  @throws Error(cancelled)
 ViewFacts measure_view_facts(const Scene& scene, double step, int rays = 1500, const JobContext& job = {});
-
-/// Share of a picture's rays that sparse casting with these parameters casts, the first pass and the tiles cast again,
-/// judged by the picture itself. @param step_mm depth between cast pixels that counts as an edge
-double sparse_share(const Frame& picture, int k, double gradient, double step_mm);
 
 }  // namespace lacuna

@@ -21,10 +21,9 @@ namespace lacuna {
 
 namespace {
 
-constexpr int k_group_pixels = 16;         // a work-group covers 16x16 pixels
-constexpr int k_tiles_a_group = 16;        // or so many 4x4 tiles of a list
-constexpr cl_uint k_first_row_arg = 2;     // of every ray-casting kernel
-constexpr double k_depth_step_pixels = 4;  // sparse casting: steeper than this between cast pixels is an edge
+constexpr int k_group_pixels = 16;      // a work-group covers 16x16 pixels
+constexpr int k_tiles_a_group = 16;     // or so many 4x4 tiles of a list
+constexpr cl_uint k_first_row_arg = 2;  // of every ray-casting kernel
 
 bool needs_tables(const Scene& scene) { return scene.mode != ViewMode::iso; }
 
@@ -487,10 +486,9 @@ Frame OpenClRenderer::cast_sparsely(const Cast& cast, const RayParams& params) {
         const auto [cells, classes] = structures_.classes(cast.scene, cast.plan, cast.tables, cast.job);
         marked = blocks_with_hidden_cells(cast.scene, every_kth, grid, cells, classes, cast.plan.sparse_gradient);
     }
-    cast_tiles(
-        cast, params,
-        tiles_to_recast(every_kth, grid, cast.plan.sparse_gradient, k_depth_step_pixels * grid.k * pixel_mm, marked),
-        frame);
+    cast_tiles(cast, params,
+               tiles_to_recast(every_kth, grid, cast.plan.sparse_gradient, edge_depth_mm(grid, pixel_mm), marked),
+               frame);
     return frame;
 }
 

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/base/parallel.h"
 
 namespace lacuna {
 
 namespace {
-
-constexpr int k_tile = 4;
 
 struct Corners {
     std::array<std::size_t, 4> at;
@@ -22,22 +21,24 @@ struct Corners {
     }
 };
 
-bool differs(const Frame& cast, const Corners& corners, double gradient, double depth_step_mm) {
+}  // namespace
+
+double corner_difference(const Frame& cast, int bx, int by, double depth_step_mm) {
+    const Corners corners(cast, bx, by);
+    constexpr double k_edge = std::numeric_limits<double>::infinity();
     glm::vec4 lo = cast.color[corners.at[0]], hi = lo;
     float near_mm = cast.depth_mm[corners.at[0]], far_mm = near_mm;
     for (std::size_t i : corners.at) {
+        if (glm::any(glm::isnan(cast.color[i]))) return k_edge;
         lo = glm::min(lo, cast.color[i]);
         hi = glm::max(hi, cast.color[i]);
         near_mm = std::min(near_mm, cast.depth_mm[i]);
         far_mm = std::max(far_mm, cast.depth_mm[i]);
     }
+    if (!std::isinf(near_mm) && !(far_mm - near_mm <= depth_step_mm)) return k_edge;
     const glm::vec4 d = hi - lo;
-    if (!(std::max({d.r, d.g, d.b, d.a}) <= gradient)) return true;
-    if (std::isinf(near_mm)) return false;  // nothing opaque at any corner
-    return !(far_mm - near_mm <= depth_step_mm);
+    return double(std::max({d.r, d.g, d.b, d.a}));
 }
-
-}  // namespace
 
 Frame interpolate(const Frame& cast, const SparseGrid& grid) {
     Frame frame;
@@ -75,15 +76,15 @@ std::vector<glm::ivec2> tiles_to_recast(const Frame& cast, const SparseGrid& gri
     parallel_for(0, blocks.y, [&](std::int64_t by) {
         for (int bx = 0; bx < blocks.x; ++bx)
             edge[std::size_t(by) * std::size_t(blocks.x) + std::size_t(bx)] |=
-                differs(cast, Corners(cast, bx, int(by)), gradient, depth_step_mm);
+                !(corner_difference(cast, bx, int(by), depth_step_mm) <= gradient);
     });
     std::vector<glm::ivec2> tiles;
-    for (int y = 0; y < grid.picture.y; y += k_tile)
-        for (int x = 0; x < grid.picture.x; x += k_tile) {
+    for (int y = 0; y < grid.picture.y; y += SparseGrid::k_tile)
+        for (int x = 0; x < grid.picture.x; x += SparseGrid::k_tile) {
             bool recast = false;
-            for (int by = y / grid.k; by <= std::min((y + k_tile - 1) / grid.k, blocks.y - 1) && !recast; ++by)
-                for (int bx = x / grid.k; bx <= std::min((x + k_tile - 1) / grid.k, blocks.x - 1) && !recast; ++bx)
-                    recast = edge[std::size_t(by) * std::size_t(blocks.x) + std::size_t(bx)] != 0;
+            for_blocks_of_tile(grid, {x, y}, [&](int bx, int by) {
+                recast |= edge[std::size_t(by) * std::size_t(blocks.x) + std::size_t(bx)] != 0;
+            });
             if (recast) tiles.push_back({x, y});
         }
     return tiles;

@@ -3,7 +3,9 @@
 #include <QDir>
 #include <QTemporaryDir>
 
+#include "core/accuracy/error_bound.h"
 #include "core/io/volume_reader.h"
+#include "core/render/turn.h"
 #include "ui/turntable.h"
 #include "window_fixture.h"
 
@@ -55,6 +57,34 @@ TEST_F(ExportTest, ATurntableTurnsOnce) {
     const QImage front(path("turn-000.png")), side(path("turn-001.png"));
     EXPECT_GT(lit(front), 0.02);
     EXPECT_GT(difference(front, side), 0.01);
+}
+
+TEST_F(ExportTest, ATurntableKeepsTheBudgetInEveryPicture) {
+    static constexpr double k_budget = 4;
+    window->resize(760, 620);
+    open(QStringLiteral("sample:spheres@24"));
+    window->bench()->edit(QStringLiteral("Budget"), [](ViewSettings& s) { s.quality.error_budget = k_budget; });
+    ASSERT_TRUE(wrote([this] { exports()->saveTurntable(path("turn.png"), 5); }))
+        << window->messageBar()->text().toStdString();
+    Scene scene = scene_of(document());
+    const Plan brute = brute_force(scene, document().settings.quality.step);
+    const std::vector<Camera> views = full_turn(scene.camera, 5);
+    for (int i = 0; i < 5; ++i) {
+        const QImage drawn =
+            QImage(folder.filePath(QStringLiteral("turn-00%1.png").arg(i))).convertToFormat(QImage::Format_RGB888);
+        ASSERT_FALSE(drawn.isNull()) << i;
+        scene.camera = views[std::size_t(i)];
+        scene.size = {drawn.width(), drawn.height()};
+        const std::vector<std::uint8_t> truth =
+            to_rgb8(window->bench()->engine()->render(scene, brute).frame, glm::dvec3(0));
+        int largest = 0;
+        for (int y = 0; y < drawn.height(); ++y)
+            for (int x = 0; x < 3 * drawn.width(); ++x)
+                largest = std::max(
+                    largest, std::abs(int(drawn.constScanLine(y)[x]) -
+                                      int(truth[std::size_t(y) * 3 * std::size_t(drawn.width()) + std::size_t(x)])));
+        EXPECT_LE(largest, k_budget + 1) << i << ": both are rounded";
+    }
 }
 
 TEST_F(ExportTest, ATurntableIsAFilmWhereFfmpegIs) {

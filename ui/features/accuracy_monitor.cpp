@@ -194,7 +194,7 @@ void AccuracyMonitor::startMeasuring() {
                 made.truth = std::make_shared<const TruePicture>(engine->render(*scene, brute, {job.stop}).frame,
                                                                  scene->background);
             job.check();
-            made.levels = made.truth->compare(*frame).max;
+            made.levels = made.truth->largest(*frame);
             return made;
         },
         [this, shown = identity(plan())](Outcome<Measured> outcome) {

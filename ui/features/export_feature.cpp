@@ -113,6 +113,9 @@ void ExportFeature::saveTurntable(const QString& file, int frames) {
     const QSize size = bench_.views()->volumeView()->pixelSize();
     table.scene.size = {size.width() & ~1, size.height() & ~1};  // films take even sizes only
     table.plan = plan_of(bench_.documents()->document(), table.scene);
+    const Quality& quality = bench_.documents()->document().settings.quality;
+    if (quality.has_budget() && table.scene.mode != ViewMode::shear_warp)
+        table.budget = Budget{quality.error_budget, quality.time_budget_ms, quality.step};
     table.frames = frames;
     table.file = file;
     run(tr("Drawing a turntable"), file,

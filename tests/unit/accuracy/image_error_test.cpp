@@ -37,6 +37,21 @@ TEST(ImageError, AKnownOffsetGivesKnownNumbers) {
     EXPECT_NEAR(compare(a, b, {0, 0, 0}).max, 0.25, 1e-4);
 }
 
+TEST(ImageError, TheLargestAloneIsTheSameNumber) {
+    const glm::dvec3 background(0.2, 0.4, 0.9);
+    const TruePicture truth(waves({31, 17}, 0.3), background);
+    for (const double phase : {0.0, 0.01, 1.5}) {
+        Frame other = waves({31, 17}, 0.3, phase);
+        other.color[7].a = 0.5f;
+        EXPECT_EQ(truth.largest(other), truth.compare(other).max) << phase;
+    }
+    EXPECT_EQ(truth.largest(truth.frame()), 0);
+    Frame broken = truth.frame();
+    broken.color[40].b = std::nanf("");
+    EXPECT_TRUE(std::isinf(truth.largest(broken)));
+    EXPECT_THROW(truth.largest(flat({3, 3}, glm::vec4(0))), Error);
+}
+
 TEST(ImageError, TheBackgroundAndTheDisplaysRangeCount) {
     const Frame clear = flat({4, 4}, {0, 0, 0, 0}), white = flat({4, 4}, {1, 1, 1, 1}),
                 brighter = flat({4, 4}, {3, 2, 1, 1});

@@ -95,17 +95,5 @@ TEST(ViewFacts, TheNumberOfThreadsChangesNothing) {
     EXPECT_THROW(measure_view_facts(scene, 0.5, 100, {stop.get_token()}), Error);
 }
 
-TEST(ViewFacts, SparseCastingNeedsMoreRaysInABusyPicture) {
-    Frame flat;
-    flat.size = {64, 48};
-    flat.color.assign(flat.pixels(), glm::vec4(0.5f));
-    flat.depth_mm.assign(flat.pixels(), 10.0f);
-    EXPECT_NEAR(sparse_share(flat, 4, 0.02, 1), 1.0 / 16, 0.02);
-    Frame busy = flat;
-    for (std::size_t i = 0; i < busy.pixels(); ++i) busy.color[i] = glm::vec4(float(i * 7919 % 97) / 97);
-    EXPECT_GT(sparse_share(busy, 4, 0.02, 1), 0.95);
-    EXPECT_LT(sparse_share(busy, 4, 2, 1), 0.1) << "no difference counts";
-}
-
 }  // namespace
 }  // namespace lacuna
