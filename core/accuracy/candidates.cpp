@@ -149,7 +149,10 @@ std::vector<Candidate> candidates(const Scene& scene, double step, SweepExtent e
     usual.step = step;
     all.add({scene.mode, reference_plan(scene, usual)});
     all.add({scene.mode, usual});  // early, for runs whose time is short
+    // First each structure once and an example of each trade, then the rest, the usual structure's before others': a
+    // run whose time is short measures what tells most.
     std::vector<Candidate> refused;
+    std::vector<ModePlan> bases;
     for (const auto& [structure, name] : structure_names()) {
         ModePlan base{scene.mode, usual};
         base.plan.structure = structure;
@@ -163,15 +166,13 @@ std::vector<Candidate> candidates(const Scene& scene, double step, SweepExtent e
             refused.push_back({std::move(base), std::move(why)});
             continue;
         }
-        if (base.mode == ViewMode::shear_warp) {
-            if (extent == SweepExtent::full) vary_shear_warp(all, base);
-            if (extent == SweepExtent::quick) all.vary(base, &Plan::sampler, {Sampler::nearest});
-        } else if (extent == SweepExtent::full) {
-            vary_fully(all, base, step);
-        }
+        if (base.mode == ViewMode::shear_warp) all.vary(base, &Plan::sampler, {Sampler::nearest});
+        bases.insert(structure == usual.structure ? bases.begin() : bases.end(), std::move(base));
     }
-    if (extent == SweepExtent::quick && scene.mode != ViewMode::shear_warp)
-        vary_quickly(all, {scene.mode, usual}, step);
+    if (scene.mode != ViewMode::shear_warp) vary_quickly(all, {scene.mode, usual}, step);
+    if (extent == SweepExtent::full)
+        for (const ModePlan& base : bases)
+            base.mode == ViewMode::shear_warp ? vary_shear_warp(all, base) : vary_fully(all, base, step);
     for (Candidate& candidate : refused) {
         candidate.plan.plan.why.clear();
         all.found.push_back(std::move(candidate));
@@ -187,6 +188,12 @@ std::string difference_in_words(const ModePlan& plan, const ModePlan& reference)
             continue;
         const bool of_shear_warp = key == "mode" || key == "sampler" || key == "directions" || key == "voxel_gradient";
         if (plan.mode == ViewMode::shear_warp && !of_shear_warp) continue;  // it casts no rays
+        if (key == "leap") {  // of the kernels only what differs from the lossless one's says something
+            const ordered_json kernel = value.value("kernel", ordered_json());
+            if (kernel.is_string() && kernel != "lossless")
+                words += (words.empty() ? "" : ", ") + ("kernel " + kernel.get<std::string>());
+            continue;
+        }
         if (key == "sparse_gradient" || (key == "refine_steps" && plan.plan.refine == Refinement::none)) continue;
         std::string name = key;
         for (char& c : name)

@@ -105,7 +105,10 @@ Chart scene_chart(const SceneResult& scene, FrontError front) {
     chart.title = scene.name;
     const auto measured =
         std::count_if(scene.points.begin(), scene.points.end(), [](const auto& p) { return p.refused.empty(); });
-    chart.subtitle = fmt::format("{} plans, {} {}", measured, scene.rounds, scene.rounds == 1 ? "round" : "rounds");
+    chart.subtitle = fmt::format("{} plans, {}", measured,
+                                 scene.rounds == 0   ? "not all of them timed more than once"
+                                 : scene.rounds == 1 ? "1 round"
+                                                     : fmt::format("{} rounds", scene.rounds));
     chart.x = {.title = title_of(front),
                .unit = front == FrontError::flip ? "" : "1/255",
                .scale = Scale::log,

@@ -210,6 +210,9 @@ void draw(const ChartSheet& sheet, Canvas& canvas) {
     rest.height -= top + bottom;
     std::vector<LegendEntry> entries;
     for (const Chart& chart : sheet.charts) add_entries(chart, entries);
+    // Lines drawn through the points of others come last, whichever chart named them first.
+    std::stable_partition(entries.begin(), entries.end(),
+                          [](const LegendEntry& entry) { return entry.marker != Marker::none; });
     top = entries.empty() ? 0 : draw_legend_row(canvas, rest, entries);
     rest.y += top;
     rest.height -= top;

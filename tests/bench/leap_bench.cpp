@@ -5,6 +5,7 @@
 //   bench_leap table INPUT...               their Table 1 for range width 0.1: the largest region that does not touch
 //   the
 //                                           border, its surface the voxels of its boundary layer, as they count
+//   bench_leap sweep INPUT [VIEWS [ROUNDS]]  their sweep of the range width: regions, and what leaping gains
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -87,25 +88,29 @@ struct BenchScene {
     std::vector<double> widths;
 };
 
+BenchScene make_scene(const std::string& name, const Volume& volume, Shading shading, double opacity,
+                      std::vector<double> widths) {
+    const VolumeStatistics statistics = compute_statistics(volume);
+    Scene scene = default_scene(volume, statistics);
+    scene.mode = ViewMode::ea;
+    scene.shading = shading;
+    scene.camera.zoom = 1.5;
+    const double lo = statistics.range.lo, w = statistics.range.width(), unit = volume.geometry().diameter_mm() / 200;
+    if (opacity > 0)
+        scene.classification.tf = {"glass",
+                                   unit,
+                                   {{lo + 0.25 * w, {0.2, 0.4, 0.9}, 0},
+                                    {lo + 0.5 * w, {0.9, 0.8, 0.3}, opacity},
+                                    {lo + w, {1, 0.5, 0.2}, 2 * opacity}},
+                                   {}};
+    return {name, scene, std::move(widths)};
+}
+
 std::vector<BenchScene> make_scenes(int size) {
     std::vector<BenchScene> scenes;
     const auto add = [&](const char* name, const Volume& volume, Shading shading, double opacity,
                          std::vector<double> widths) {
-        const VolumeStatistics statistics = compute_statistics(volume);
-        Scene scene = default_scene(volume, statistics);
-        scene.mode = ViewMode::ea;
-        scene.shading = shading;
-        scene.camera.zoom = 1.5;
-        const double lo = statistics.range.lo, w = statistics.range.width(),
-                     unit = volume.geometry().diameter_mm() / 200;
-        if (opacity > 0)
-            scene.classification.tf = {"glass",
-                                       unit,
-                                       {{lo + 0.25 * w, {0.2, 0.4, 0.9}, 0},
-                                        {lo + 0.5 * w, {0.9, 0.8, 0.3}, opacity},
-                                        {lo + w, {1, 0.5, 0.2}, 2 * opacity}},
-                                       {}};
-        scenes.push_back({name, scene, std::move(widths)});
+        scenes.push_back(make_scene(name, volume, shading, opacity, std::move(widths)));
     };
     const Volume casting = make_sample("casting", {.size = size}).volume;
     add("casting, glass", casting, Shading::none, 0.02, {0.05, 0.1, 0.2, 0.3});
@@ -206,6 +211,29 @@ void render(const BenchScene& bench, const std::shared_ptr<ComputeDevice>& devic
     std::fflush(stdout);
 }
 
+void sweep_widths(const std::string& input, const std::shared_ptr<ComputeDevice>& device, int views, int rounds) {
+    const Volume volume = open_volume(input);
+    const std::vector<double> widths{0.02, 0.05, 0.1, 0.2, 0.3, 0.5};
+    fmt::print(
+        "| range width | regions | in regions % | leap voxels % | mean leap, voxels | prepared in s |\n"
+        "| --- | --- | --- | --- | --- | --- |\n");
+    for (const double width : widths) {
+        LeapOptions options;
+        options.range_width = width;
+        options.step_mm = 0.5 * volume.geometry().smallest_spacing_mm();
+        const Stopwatch clock;
+        const LeapVolume leap = build_leap_volume(volume, options);
+        const std::int64_t voxels = volume.geometry().voxel_count();
+        fmt::print(
+            "| {} | {} | {:.1f} | {:.1f} | {:.2f} | {:.2f} |\n", width, leap.regions,
+            100 * double(leap.region_voxels) / double(voxels), 100 * double(leap.leap_voxels) / double(voxels),
+            reach(leap, voxels) / std::max(1.0, double(leap.leap_voxels)) / volume.geometry().smallest_spacing_mm(),
+            clock.ms() / 1000);
+        std::fflush(stdout);
+    }
+    render(make_scene(volume.name + ", glass", volume, Shading::none, 0.02, widths), device, views, rounds);
+}
+
 }  // namespace
 }  // namespace lacuna
 
@@ -225,6 +253,11 @@ int main(int argc, char** argv) {
     if (!device) {
         fmt::print(stderr, "bench_leap: no usable OpenCL device.\n");
         return 1;
+    }
+    if (what == "sweep") {
+        if (argc < 3) return fmt::print(stderr, "bench_leap: sweep needs an INPUT.\n"), 2;
+        sweep_widths(argv[2], device, argument(3, 4), argument(4, 2));
+        return 0;
     }
     const int size = argument(2, 256), views = argument(3, 8), rounds = argument(4, 2);
     fmt::print("{}: {}^3 voxels, 512x512 pixels, step 0.5, {} views, {} rounds\n", device->info().name, size, views,

@@ -64,6 +64,16 @@ TEST(Candidates, BruteForceIsFirstAndNoneIsThereTwice) {
         }
 }
 
+TEST(Candidates, AFullSweepBeginsWithTheQuickOne) {
+    for (const ViewMode mode : k_modes) {
+        const std::vector<Candidate> quick = candidates(scene(mode), 0.5, SweepExtent::quick);
+        const std::vector<Candidate> full = candidates(scene(mode), 0.5, SweepExtent::full);
+        ASSERT_GE(full.size(), quick.size());
+        for (std::size_t i = 0; i < quick.size() && quick[i].refused.empty(); ++i)
+            EXPECT_EQ(to_json(full[i].plan), to_json(quick[i].plan)) << name_of(mode) << " " << i;
+    }
+}
+
 TEST(Candidates, WhatCannotServeIsARowWithItsReason) {
     const std::vector<Candidate> found = candidates(scene(ViewMode::mip), 0.5, SweepExtent::quick);
     const auto visible = std::find_if(found.begin(), found.end(),
@@ -90,6 +100,11 @@ TEST(Candidates, WordsSayWhatDiffers) {
     plan.plan.sparse = 3;
     plan.plan.sampler = Sampler::nearest;
     EXPECT_EQ(difference_in_words(plan, reference), "step 1.5, sampler nearest, sparse 3");
+    plan.plan = {};
+    plan.plan.structure = Structure::leap;
+    EXPECT_EQ(difference_in_words(plan, reference), "") << "how leap values are made is no picture's matter";
+    plan.plan.leap.kernel = Leaping::confirmed;
+    EXPECT_EQ(difference_in_words(plan, reference), "kernel confirmed");
 }
 
 }  // namespace
