@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/base/parallel.h"
+#include "core/base/vector_clones.h"
 #include "core/render/effect_passes.h"
 
 namespace lacuna::effects {
@@ -43,31 +44,31 @@ void for_each_pixel(Frame& frame, const JobContext& job, Change&& change) {
     });
 }
 
-/// colour^power; colours at or below 0 (or NaN) have no power: black.
-void raise(const float* __restrict color, int n, float power, float* __restrict out) {
+/// (value / opacity)^power * opacity for n floats of pixels with that opacity, in place; left alone where the opacity
+/// is not above 0. Colours at or below 0 (or NaN) have no power: black. Opacities themselves come out as they are: 1^p
+/// = 1.
+LACUNA_VECTOR_CLONES void raise(float* __restrict value, const float* __restrict opacity, int n, float power) {
     for (int i = 0; i < n; ++i) {
-        const float bounded = color[i] < 1e30f ? color[i] : 1e30f;
-        const float raised = power_of(bounded > 1e-30f ? bounded : 1.0f, power);
-        out[i] = color[i] > 1e-30f ? raised : 0.0f;
+        const float color = value[i] / opacity[i];
+        const float bounded = color < 1e30f ? color : 1e30f;
+        const float raised = power_of(bounded > 1e-30f ? bounded : 1.0f, power) * opacity[i];
+        const float seen = color > 1e-30f ? raised : 0.0f;
+        value[i] = opacity[i] > 0 ? seen : value[i];
     }
 }
 
 void gamma_curve(double gamma, Frame& frame, const JobContext& job) {
     const float power = float(1 / gamma);
+    const int n = 4 * frame.size.x;
     for_rows(frame.size.y, job, [&](int y) {
         glm::vec4* row = &frame.color[std::size_t(y) * std::size_t(frame.size.x)];
-        std::vector<float> color, raised;
-        std::vector<glm::vec4*> at;  // the row's visible pixels
-        for (int x = 0; x < frame.size.x; ++x) {
-            if (!(row[x].a > 0)) continue;
-            at.push_back(&row[x]);
-            const float per_opacity = 1 / row[x].a;
-            for (int c = 0; c < 3; ++c) color.push_back(row[x][c] * per_opacity);
+        constexpr int k_piece = 64;  // floats at a time
+        float opacity[k_piece];
+        for (int first = 0; first < n; first += k_piece) {
+            const int count = std::min(k_piece, n - first);
+            for (int i = 0; i < count; ++i) opacity[i] = row[(first + i) / 4].a;
+            raise(&row[0].x + first, opacity, count, power);
         }
-        raised.resize(color.size());
-        raise(color.data(), int(color.size()), power, raised.data());
-        for (std::size_t i = 0; i < at.size(); ++i)
-            for (int c = 0; c < 3; ++c) (*at[i])[c] = raised[3 * i + std::size_t(c)] * at[i]->a;
     });
 }
 
