@@ -14,6 +14,13 @@ QString describe(const Scene& scene, const Plan& plan) {
         .arg(plan.step, 0, 'g', 3);
 }
 
+DrawnFrame to_drawn(Frame frame) {
+    DrawnFrame drawn;
+    drawn.image = to_image(frame);
+    drawn.frame = std::make_shared<const Frame>(std::move(frame));
+    return drawn;
+}
+
 /// Effects that take longer than a coarse frame may. The others take a few ms at full size, less at a coarse one's.
 bool costly(const Effect& effect) { return effect.kind == EffectKind::ao; }
 
@@ -106,11 +113,16 @@ void FrameScheduler::start(bool coarse) {
     since_start_.start();
     const Task task{std::make_shared<const Scene>(std::move(scene)), std::move(plan), coarse, complete};
     job_.start(
-        [engine = engine_, task](const JobContext& job) {
-            DrawnFrame drawn;
-            drawn.frame = std::make_shared<const Frame>(engine->render(*task.scene, task.plan, job).frame);
-            drawn.image = to_image(*drawn.frame);
-            return drawn;
+        [this, engine = engine_, task](const JobContext& job) {
+            const auto on_the_way = [&](const Frame& frame) {
+                QMetaObject::invokeMethod(
+                    this,
+                    [this, task, drawn = to_drawn(frame), stop = job.stop] {
+                        if (!stop.stop_requested()) show(task, drawn, true);
+                    },
+                    Qt::QueuedConnection);
+            };
+            return to_drawn(engine->render(*task.scene, task.plan, job, false, on_the_way).frame);
         },
         [this, task](Outcome<DrawnFrame> outcome) { finish(task, std::move(outcome)); },
         [this](double share) { Q_EMIT progressed(share); });
@@ -131,16 +143,7 @@ void FrameScheduler::finish(const Task& task, Outcome<DrawnFrame> outcome) {
     const bool alike =
         scene_->mode != ViewMode::shear_warp && std::none_of(scene_->effects.begin(), scene_->effects.end(), costly);
     if (coarse || alike) adapt(*drawn.frame);
-    FrameFacts facts;
-    facts.coarse = !complete;
-    facts.ms = drawn.frame->ms;
-    facts.device = QString::fromStdString(engine_->device_name());
-    facts.plan = describe(*task.scene, task.plan);
-    facts.bytes_held = engine_->bytes_held();
-    facts.scene = task.scene;
-    facts.drawn = task.plan;
-    facts.frame = drawn.frame;
-    Q_EMIT frameReady(drawn.image, facts);
+    show(task, drawn, !complete);
     if (changed_since_start_) {
         start(true);
         return;
@@ -150,6 +153,19 @@ void FrameScheduler::finish(const Task& task, Outcome<DrawnFrame> outcome) {
         start(false);
     else
         Q_EMIT busyChanged(busy());
+}
+
+void FrameScheduler::show(const Task& task, const DrawnFrame& drawn, bool coarse) {
+    FrameFacts facts;
+    facts.coarse = coarse;
+    facts.ms = drawn.frame->ms;
+    facts.device = QString::fromStdString(engine_->device_name());
+    facts.plan = describe(*task.scene, task.plan);
+    facts.bytes_held = engine_->bytes_held();
+    facts.scene = task.scene;
+    facts.drawn = task.plan;
+    facts.frame = drawn.frame;
+    Q_EMIT frameReady(drawn.image, facts);
 }
 
 void FrameScheduler::adapt(const Frame& frame) {

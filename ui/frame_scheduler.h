@@ -29,8 +29,9 @@ struct DrawnFrame {
 };
 
 /// Turns scenes into pictures off the UI thread: at once a coarse one, small and with long steps; a full one as soon as
-/// nothing has changed for a moment. A full frame is cancelled by any change; a coarse one is let finish, unless it
-/// turns out slow, so that a fast hand still sees pictures. How coarse follows from the frames measured before.
+/// nothing has changed for a moment, where an effect takes long by way of pictures with ever more of its samples. A
+/// full frame is cancelled by any change; a coarse one is let finish, unless it turns out slow, so that a fast hand
+/// still sees pictures. How coarse follows from the frames measured before.
 class FrameScheduler final : public QObject {
     Q_OBJECT
 public:
@@ -69,6 +70,7 @@ private:
         bool coarse, complete;
     };
     void finish(const Task& task, Outcome<DrawnFrame> outcome);
+    void show(const Task& task, const DrawnFrame& drawn, bool coarse);
     void adapt(const Frame& frame);
 
     std::shared_ptr<Engine> engine_;

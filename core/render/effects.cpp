@@ -132,18 +132,25 @@ void darken(const std::vector<float>& occlusion, double strength, Frame& frame, 
 
 }  // namespace effects
 
-void apply_effects(const Scene& scene, Frame& frame, const JobContext& job) {
-    if (scene.effects.empty()) return;
-    const ViewRays rays = resolve(scene.camera, scene.volume.geometry(), frame.size);
-    const JobContext silent{job.stop, nullptr};
-    for (const Effect& effect : scene.effects) {
+namespace {
+
+/// Applies effect number `first` and those behind it.
+void apply_from(std::size_t first, const Scene& scene, const ViewRays& rays, Frame& frame, const JobContext& silent,
+                const FramePreview& preview) {
+    for (std::size_t i = first; i < scene.effects.size(); ++i) {
+        const Effect& effect = scene.effects[i];
         silent.check();
         switch (effect.kind) {
             case EffectKind::ssao:
                 effects::screen_space_occlusion(scene, rays, effect, frame, silent);
                 break;
             case EffectKind::ao:
-                effects::ambient_occlusion(scene, rays, effect, frame, silent);
+                effects::ambient_occlusion(scene, rays, effect, frame, silent,
+                                           preview ? std::function<void(Frame)>([&](Frame so_far) {
+                                               apply_from(i + 1, scene, rays, so_far, silent, nullptr);
+                                               preview(so_far);
+                                           })
+                                                   : nullptr);
                 break;
             case EffectKind::dof:
                 effects::depth_of_field(scene, rays, effect, frame, silent);
@@ -152,6 +159,14 @@ void apply_effects(const Scene& scene, Frame& frame, const JobContext& job) {
                 effects::tone(effect, frame, silent);
         }
     }
+}
+
+}  // namespace
+
+void apply_effects(const Scene& scene, Frame& frame, const JobContext& job, const FramePreview& preview) {
+    if (scene.effects.empty()) return;
+    apply_from(0, scene, resolve(scene.camera, scene.volume.geometry(), frame.size), frame, {job.stop, nullptr},
+               preview);
 }
 
 }  // namespace lacuna

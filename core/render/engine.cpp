@@ -57,6 +57,10 @@ void refuse_outside_memory(const Scene& scene, bool has_device) {
         if (effect.kind == EffectKind::ao) refuse("The effect 'ao'");
 }
 
+void draw_highlights(const Scene& scene, Frame& frame, const JobContext& job) {
+    for (const Highlight& highlight : scene.highlights) draw_highlight(scene, highlight, frame, job);
+}
+
 }  // namespace
 
 Plan Engine::fitted(const Plan& plan, const Scene& scene) const {
@@ -74,7 +78,8 @@ void Engine::adopt(std::shared_ptr<const BrickIndex> index) {
     if (opencl_) opencl_->adopt(std::move(index));
 }
 
-RenderResult Engine::render(const Scene& scene, const Plan& asked, const JobContext& job, bool count) {
+RenderResult Engine::render(const Scene& scene, const Plan& asked, const JobContext& job, bool count,
+                            const FramePreview& preview) {
     check(scene);
     check(asked, scene);
     const Plan plan = asked.brick > 0 && asked.brick_bytes > 0 ? asked : fitted(asked, scene);
@@ -94,10 +99,16 @@ RenderResult Engine::render(const Scene& scene, const Plan& asked, const JobCont
     }
     if (!scene.effects.empty()) {
         const Stopwatch effects_watch;
-        apply_effects(scene, result.frame, job);
+        const auto on_the_way = [&](const Frame& frame) {
+            Frame marked = frame;
+            draw_highlights(scene, marked, job);
+            marked.ms += effects_watch.ms();
+            preview(marked);
+        };
+        apply_effects(scene, result.frame, job, preview ? FramePreview(on_the_way) : nullptr);
         result.frame.ms += effects_watch.ms();
     }
-    for (const Highlight& highlight : scene.highlights) draw_highlight(scene, highlight, result.frame, job);
+    draw_highlights(scene, result.frame, job);
     return result;
 }
 

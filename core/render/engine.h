@@ -39,8 +39,10 @@ public:
     ~Engine();
 
     /// @param count  fill the frame's counters (costs time)
+    /// @param preview  gets pictures on the way where an effect takes long (apply_effects), on the calling thread
     /// @throws Error(bad_usage) if check(scene) or check(plan, scene) does; Error(cancelled), Error(out_of_memory)
-    RenderResult render(const Scene& scene, const Plan& plan, const JobContext& job = {}, bool count = false);
+    RenderResult render(const Scene& scene, const Plan& plan, const JobContext& job = {}, bool count = false,
+                        const FramePreview& preview = nullptr);
 
     /// The plan with bricks where the volume needs them (with_bricks), as render() would add them itself.
     /// @throws Error(out_of_memory), and Error(unsupported) for what cannot be drawn of a volume not in memory

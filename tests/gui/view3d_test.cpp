@@ -324,5 +324,25 @@ TEST_F(View3dTest, AFastHandNeverMakesFramesQueueUp) {
     EXPECT_TRUE(frames.back().second);
 }
 
+TEST_F(View3dTest, AmbientOcclusionIsSeenWhileItGathersItsSamples) {
+    open(k_casting);
+    key(Qt::Key_1);
+    settle();
+    std::vector<bool> coarse;
+    const QMetaObject::Connection watching =
+        QObject::connect(window->scheduler(), &FrameScheduler::frameReady, window.get(),
+                         [&](const QImage& image, const FrameFacts& facts) {
+                             if (image.size() == view()->pixelSize()) coarse.push_back(facts.coarse);
+                         });
+    window->bench()->edit(QStringLiteral("Effects"), [](ViewSettings& s) { s.effects = parse_effects("ao=8"); });
+    settle();
+    QObject::disconnect(watching);
+    // Pictures of full size of 2 and 4 samples, then the one that stays.
+    ASSERT_GE(coarse.size(), 3u);
+    EXPECT_TRUE(coarse[coarse.size() - 3]);
+    EXPECT_TRUE(coarse[coarse.size() - 2]);
+    EXPECT_FALSE(coarse.back());
+}
+
 }  // namespace
 }  // namespace lacuna::ui::test

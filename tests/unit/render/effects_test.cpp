@@ -332,6 +332,36 @@ TEST(Effects, SameBytesTwiceAndForAnyNumberOfThreads) {
     EXPECT_FALSE(same_bytes(engine.render(scene, brute_force()).frame, first)) << "the seed counts";
 }
 
+TEST(Effects, AmbientOcclusionComesByWayOfBetterAndBetterPictures) {
+    const auto bowl = [](const glm::dvec3& mm) {
+        return std::min(mm.y + 8, glm::length(mm + glm::dvec3(0, 8, 0)) - 16);
+    };
+    Scene scene = block(bowl);
+    Engine engine(nullptr);
+    for (const int samples : {1, 2, 20}) {
+        scene.effects = parse_effects("brightness=0.1,ao=" + std::to_string(samples) + ",40,contrast=1.3");
+        const Frame last = engine.render(scene, brute_force()).frame;
+        std::vector<double> errors;  // of the pictures on the way
+        const auto on_the_way = [&](const Frame& frame) {
+            double sum = 0;
+            for (std::size_t i = 0; i < frame.pixels(); ++i)
+                sum += double(std::fabs(frame.color[i].r - last.color[i].r));
+            errors.push_back(sum / double(frame.pixels()));
+        };
+        EXPECT_TRUE(same_bytes(engine.render(scene, brute_force(), {}, false, on_the_way).frame, last)) << samples;
+        if (samples < 20) {
+            EXPECT_TRUE(errors.empty()) << samples;
+            continue;
+        }
+        ASSERT_EQ(errors.size(), 4u) << "of 2, 4, 8 and 16 samples";
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            EXPECT_GT(errors[i], 0) << i;
+            EXPECT_LT(errors[i], 0.12) << i << ": all effects are there";
+        }
+        EXPECT_LT(errors.back(), 0.5 * errors.front());
+    }
+}
+
 TEST(Effects, OddDepthsAndTinyPicturesAreSafe) {
     for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(2, 7), glm::ivec2(37, 3), glm::ivec2(64, 64)}) {
         for (const bool perspective : {false, true}) {
