@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <span>
 
 #include "core/base/parallel.h"
 #include "core/render/effect_passes.h"
@@ -18,7 +17,7 @@ namespace {
 
 constexpr double k_default_distance = 0.1;  // of the volume's diameter
 constexpr int k_most_steps = 64;            // a ray
-constexpr std::size_t k_first_samples = 2;  // of the first picture on the way
+constexpr int k_first_samples = 2;          // of the first picture on the way
 constexpr double k_lift_voxels = 0.75;      // off the surface, along its normal, against meeting it again
 constexpr double k_opaque = 0.98;           // an EA ray this occluded is over
 constexpr double k_face_voxels = 0.01;      // a hit this near to a cut or a side of the volume lies on it
@@ -151,11 +150,15 @@ private:
     std::vector<Cut> cuts_;
 };
 
-/// Where pattern p of 16 and the seed shift the sample points to, in [0, 1)^3: the R2 sequence of Roberts (2018) in
-/// three dimensions, so that neighbouring pixels' samples fill each other's gaps.
-glm::dvec3 shift_of(int pattern, double seed) {
-    const glm::dvec3 step(0.8191725134, 0.6710436067, 0.5497004779);
-    return glm::fract(step * (1.0 + pattern) + seed * glm::dvec3(0.7548776662, 0.5698402910, 0.3819660113));
+/// The sequence of Roberts (2018) in three dimensions, R3: any number of its points lie evenly.
+const glm::dvec3 k_sequence(0.8191725134, 0.6710436067, 0.5497004779);
+constexpr int k_patterns = 16;  // 4x4 pixels, over which occlusion is smoothed
+
+/// Sample number i of a pixel with pattern p of 16, in [0, 1)^3: point p + 16 i of the sequence, so that neighbouring
+/// pixels' samples fill each other's gaps and each further sample those of all before.
+glm::dvec3 sample_point(int pattern, int i, double seed) {
+    return glm::fract(k_sequence * (1.0 + pattern + double(k_patterns) * i) +
+                      seed * glm::dvec3(0.7548776662, 0.5698402910, 0.3819660113));
 }
 
 struct Sampling {
@@ -163,44 +166,29 @@ struct Sampling {
     double distance_mm = 1, step_mm = 1, seed = 1;
 };
 
-/// The numbers 0 .. n-1 in the order of van der Corput's sequence, so that the first of them lie spread over all.
-std::vector<int> spread_order(int n) {
-    int bits = 0;
-    while ((1 << bits) < n) ++bits;
-    std::vector<int> order;
-    for (int i = 0; i < (1 << bits); ++i) {
-        int reversed = 0;
-        for (int b = 0; b < bits; ++b) reversed |= (i >> b & 1) << (bits - 1 - b);
-        if (reversed < n) order.push_back(reversed);
-    }
-    return order;
-}
-
-/// Occlusion summed over some of the samples: Malley's cosine-weighted directions from a shifted rank-1 lattice.
+/// Occlusion summed over samples first .. until-1, in Malley's cosine-weighted directions.
 template <class T>
-double occlusion_at(const Surroundings<T>& around, const GridGeometry& grid, const Sampling& how,
-                    std::span<const int> samples, glm::dvec3 hit, const glm::dvec3& to_viewer,
-                    const glm::dvec3& shift) {
+double occlusion_at(const Surroundings<T>& around, const GridGeometry& grid, const Sampling& how, glm::ivec2 samples,
+                    glm::dvec3 hit, const glm::dvec3& to_viewer, int pattern) {
     const glm::dvec3 n = around.normal(hit, to_viewer);
     const glm::dvec3 helper = std::fabs(n.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 u = glm::normalize(glm::cross(helper, n)), v = glm::cross(n, u);
     hit += k_lift_voxels * glm::normalize(n / grid.spacing);
     double sum = 0;
-    for (const int i : samples) {
-        const double r2 = (i + shift.x) / how.samples;
-        const double turn = 2 * std::numbers::pi * glm::fract(i * 0.6180339887498949 + shift.y);
-        const double r = std::sqrt(r2), up = std::sqrt(std::max(0.0, 1 - r2));
+    for (int i = samples.x; i < samples.y; ++i) {
+        const glm::dvec3 point = sample_point(pattern, i, how.seed);
+        const double turn = 2 * std::numbers::pi * point.y;
+        const double r = std::sqrt(point.x), up = std::sqrt(std::max(0.0, 1 - point.x));
         const glm::dvec3 along = r * std::cos(turn) * u + r * std::sin(turn) * v + up * n;
-        const double jitter = glm::fract(shift.z + i * 0.7548776662466927);
-        sum += around.occlusion(hit, along / grid.spacing, how.step_mm, how.distance_mm, jitter);
+        sum += around.occlusion(hit, along / grid.spacing, how.step_mm, how.distance_mm, point.z);
     }
     return sum;
 }
 
 /// Adds some of the samples to each pixel's sum.
 template <class T>
-void occlude_rows(const Scene& scene, const ViewRays& rays, const Sampling& how, std::span<const int> samples,
-                  const Frame& frame, std::vector<double>& occlusion, const JobContext& job) {
+void occlude_rows(const Scene& scene, const ViewRays& rays, const Sampling& how, glm::ivec2 samples, const Frame& frame,
+                  std::vector<double>& occlusion, const JobContext& job) {
     const GridGeometry& grid = scene.volume.geometry();
     const Surroundings<T> around(scene, how.step_mm);
     parallel_for(
@@ -213,9 +201,8 @@ void occlude_rows(const Scene& scene, const ViewRays& rays, const Sampling& how,
                 job.check();
                 const glm::dvec3 along = rays.direction(x, double(y));
                 const glm::dvec3 hit = grid.mm_to_voxel(rays.origin(x, double(y)) + along * depth);
-                const glm::dvec3 shift = shift_of(int(y % 4) * 4 + x % 4, how.seed);
-                occlusion[i] +=
-                    occlusion_at(around, grid, how, samples, hit, -(glm::transpose(grid.direction) * along), shift);
+                occlusion[i] += occlusion_at(around, grid, how, samples, hit, -(glm::transpose(grid.direction) * along),
+                                             int(y % 4) * 4 + x % 4);
             }
         },
         job);
@@ -235,27 +222,25 @@ void ambient_occlusion(const Scene& scene, const ViewRays& rays, const Effect& e
     how.seed = effect.value(3);
 
     const Relief relief = make_relief(rays, frame, job);
-    const std::vector<int> order = spread_order(how.samples);
     std::vector<double> sums(frame.pixels());
-    const auto darkened = [&](Frame& target, std::size_t samples) {
+    const auto darkened = [&](Frame& target, int samples) {
         std::vector<float> occlusion(sums.size());
-        for (std::size_t i = 0; i < sums.size(); ++i) occlusion[i] = float(sums[i] / double(samples));
+        for (std::size_t i = 0; i < sums.size(); ++i) occlusion[i] = float(sums[i] / samples);
         smooth_by_depth(relief, 3 * grid.smallest_spacing_mm(), occlusion, job);
         darken(occlusion, strength, target, job);
     };
-    for (std::size_t done = 0; done < order.size();) {
-        std::size_t until = on_the_way ? std::max<std::size_t>(2 * done, k_first_samples) : order.size();
-        until = std::min(until, order.size());
-        const std::span<const int> samples(order.data() + done, until - done);
-        visit_type(scene.volume.type(),
-                   [&](auto tag) { occlude_rows<decltype(tag)>(scene, rays, how, samples, frame, sums, job); });
+    for (int done = 0; done < how.samples;) {
+        const int until = on_the_way ? std::min(std::max(2 * done, k_first_samples), how.samples) : how.samples;
+        visit_type(scene.volume.type(), [&](auto tag) {
+            occlude_rows<decltype(tag)>(scene, rays, how, {done, until}, frame, sums, job);
+        });
         done = until;
-        if (done == order.size()) break;
+        if (done == how.samples) break;
         Frame so_far = frame;
         darkened(so_far, done);
         on_the_way(std::move(so_far));
     }
-    darkened(frame, order.size());
+    darkened(frame, how.samples);
 }
 
 }  // namespace lacuna::effects
