@@ -1,13 +1,13 @@
-#include <QApplication>
 #include <QCommandLineParser>
 
 #include "ui/log_store.h"
 #include "ui/preferences.h"
 #include "ui/theme_control.h"
+#include "ui/watchdog.h"
 #include "ui/workstation.h"
 
 int main(int argc, char** argv) {
-    QApplication application(argc, argv);
+    lacuna::ui::Application application(argc, argv);
     QApplication::setApplicationDisplayName(QStringLiteral("Lacuna"));
     lacuna::ui::name_application(QStringLiteral(LACUNA_VERSION));
     QCommandLineParser words;

@@ -2,10 +2,10 @@
 
 #include <QActionGroup>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QGuiApplication>
 
 #include "core/base/atomic_file.h"
+#include "ui/file_choice.h"
 #include "ui/tool_bar.h"
 
 namespace lacuna::ui {
@@ -20,7 +20,8 @@ MeasureFeature::MeasureFeature(Workbench& bench)
       bench_(bench),
       tool_(new SliceMeasure(this)),
       panel_(new MeasurePanel(bench.window())),
-      dock_(bench.addDock(QStringLiteral("measurements"), tr("Measurements"), panel_, Qt::BottomDockWidgetArea)) {
+      dock_(bench.addDock(QStringLiteral("measurements"), tr("Measurements"), panel_, Qt::BottomDockWidgetArea)),
+      write_(this, bench.tasks()) {
     bench.needDocument(panel_);
     buildMenu();
     for (SliceView* slice : bench.views()->slices()) {
@@ -159,15 +160,20 @@ void MeasureFeature::copyTable() {
 void MeasureFeature::exportTable() {
     if (tool_->measurements().empty())
         return bench_.messages()->showNotice(tr("There is nothing measured yet; choose what to draw in this menu."));
-    const QString file = QFileDialog::getSaveFileName(bench_.window(), tr("Export the measurements"),
-                                                      QStringLiteral("measurements.csv"), tr("Tables (*.csv)"));
+    const QString file = file_choice::save_file(bench_.window(), tr("Export the measurements"), FileKind::table,
+                                                QStringLiteral("measurements.csv"), tr("Tables (*.csv)"));
     if (file.isEmpty()) return;
-    try {
-        const Document& document = bench_.documents()->document();
-        write_file(file.toStdString(), measurements_to_csv(document.volume, document.settings.measurements));
-    } catch (const Error& error) {
-        bench_.report(error);
-    }
+    const Document& document = bench_.documents()->document();
+    write_.start(
+        tr("Writing the measurements"),
+        [volume = document.volume, all = document.settings.measurements, file](const JobContext& job) {
+            write_file(file.toStdString(), measurements_to_csv(volume, all, job));
+            return file;
+        },
+        [this](Outcome<QString> outcome) {
+            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+            bench_.messages()->showNotice(tr("Written to %1.").arg(std::get<0>(outcome)));
+        });
 }
 
 }  // namespace lacuna::ui

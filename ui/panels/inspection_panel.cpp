@@ -28,7 +28,8 @@ InspectionPanel::InspectionPanel(QWidget* parent)
       facts_(new QLabel(this)),
       filter_(new QLineEdit(this)),
       coloring_(new QComboBox(this)),
-      view_(new QTableView(this)) {
+      view_(new QTableView(this)),
+      judge_job_(this) {
     build();
     connect(inspect_, &QPushButton::clicked, this, [this] { Q_EMIT inspectRequested(form_->criteria().detection); });
     connect(load_, &QPushButton::clicked, this, &InspectionPanel::loadCriteriaRequested);
@@ -165,17 +166,30 @@ std::uint32_t InspectionPanel::chosen() const {
 }
 
 void InspectionPanel::judgeAgain() {
-    if (analysis_) {
-        try {
-            judgement_ = judge(*analysis_, form_->criteria(), lay_zones(form_->criteria(), geometry_), by_hand_);
-        } catch (const Error& error) {
-            Q_EMIT failed(QString::fromStdString(error.what()));
-            return;
-        }
-        model_->setJudgement(judgement_);
-        Q_EMIT colorsChanged();
+    judge_job_.cancel();
+    if (!analysis_) return showVerdict();
+    const auto work = [analysis = analysis_, criteria = form_->criteria(), geometry = geometry_,
+                       by_hand = by_hand_](const JobContext& job) {
+        return judge(*analysis, criteria, lay_zones(criteria, geometry, job), by_hand, job);
+    };
+    judgement_.by_hand = by_hand_;  // kept, whatever the verdict is going to be
+    // Zones may lie in files, and their voxels are counted; without any it is a matter of comparing numbers.
+    constexpr std::size_t k_quick_defects = 5000;
+    if (form_->criteria().zones.empty() && analysis_->defects.size() <= k_quick_defects)
+        return accept(capture<Judgement>(work, {}));
+    judge_job_.start(work, [this](Outcome<Judgement> outcome) { accept(std::move(outcome)); });
+}
+
+void InspectionPanel::accept(Outcome<Judgement> judgement) {
+    if (const Error* error = std::get_if<Error>(&judgement)) {
+        Q_EMIT failed(QString::fromStdString(error->what()));
+        return;
     }
+    judgement_ = std::get<Judgement>(std::move(judgement));
+    model_->setJudgement(judgement_);
+    Q_EMIT colorsChanged();
     showVerdict();
+    Q_EMIT judged();
 }
 
 void InspectionPanel::showVerdict() {

@@ -7,6 +7,7 @@
 #include <QTableView>
 #include <QWidget>
 
+#include "ui/latest_job.h"
 #include "ui/models/defect_model.h"
 #include "ui/panels/criteria_form.h"
 
@@ -45,18 +46,19 @@ Q_SIGNALS:
     void loadCriteriaRequested();
     void saveCriteriaRequested();
     void reportRequested();
+    void judged();   ///< judgement() is that of the criteria and decisions as they are
     void decided();  ///< a decision by hand was made or taken back
     void failed(const QString& sentence);
 
 private:
     void build();
     void judgeAgain();
+    void accept(Outcome<Judgement> judgement);
     void showVerdict();
     void askReason(bool accepted);
     std::uint32_t chosen() const;
 
     std::shared_ptr<const PartAnalysis> analysis_;
-    std::vector<ZoneMask> zones_;
     std::vector<HandDecision> by_hand_;
     Judgement judgement_;
     bool stale_ = false;  ///< criteria of detection were edited since the analysis
@@ -69,6 +71,7 @@ private:
     QLineEdit* filter_;
     QComboBox* coloring_;
     QTableView* view_;
+    LatestJob<Judgement> judge_job_;
 };
 
 }  // namespace lacuna::ui
