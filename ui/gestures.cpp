@@ -75,6 +75,8 @@ constexpr Row k_rows[] = {
      QT_TRANSLATE_NOOP("Gestures", "Move both")},
     {"Range sliders", QT_TRANSLATE_NOOP("Gestures", "Tab, arrow keys"),
      QT_TRANSLATE_NOOP("Gestures", "Go to the other end, move it")},
+    {QT_TRANSLATE_NOOP("Gestures", "All views"), QT_TRANSLATE_NOOP("Gestures", "Side buttons of the mouse"),
+     QT_TRANSLATE_NOOP("Gestures", "Previous or next view")},
     {QT_TRANSLATE_NOOP("Gestures", "Everywhere"), QT_TRANSLATE_NOOP("Gestures", "Drop a file or folder"),
      QT_TRANSLATE_NOOP("Gestures", "Open it")},
     {"Everywhere", QT_TRANSLATE_NOOP("Gestures", "Tab, Shift+Tab"),

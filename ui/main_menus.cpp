@@ -1,12 +1,11 @@
 // The window's menus: every command with its key.
 #include <QActionGroup>
 #include <QBuffer>
-#include <QFileDialog>
 
 #include "core/base/atomic_file.h"
 #include "core/volume/samples.h"
+#include "ui/file_choice.h"
 #include "ui/main_window.h"
-#include "ui/preferences.h"
 #include "ui/tool_bar.h"
 
 namespace lacuna::ui {
@@ -112,8 +111,9 @@ void MainWindow::buildViewMenu() {
             documents_->setCamera(camera);
         });
     perspective->setCheckable(true);
-    connect(documents_, &DocumentController::opened, perspective,
-            [this, perspective] { perspective->setChecked(documents_->document().camera.fov_deg.has_value()); });
+    for (const auto signal : {&DocumentController::opened, &DocumentController::cameraChanged})
+        connect(documents_, signal, perspective,
+                [this, perspective] { perspective->setChecked(documents_->document().camera.fov_deg.has_value()); });
     view->addSeparator();
     bench_->add(view, tr("Ma&ximise the view, or show all"), QKeySequence(QStringLiteral("M")), views_,
                 &FourUp::toggleFocused);
@@ -165,14 +165,14 @@ void MainWindow::buildToolsMenu() {
 }
 
 void MainWindow::openFolder() {
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a folder of DICOM files or TIFF slices"),
-                                                             preferences::open_folder());
+    const QString folder =
+        file_choice::open_folder(this, tr("Open a folder of DICOM files or TIFF slices"), FileKind::volume);
     if (!folder.isEmpty()) openInput(folder);
 }
 
 void MainWindow::openFile() {
-    const QString file = QFileDialog::getOpenFileName(
-        this, tr("Open a volume"), preferences::open_folder(),
+    const QString file = file_choice::open_file(
+        this, tr("Open a volume"), FileKind::volume,
         tr("Volumes (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif *.tiff);;"
            "All files (*)"));
     if (!file.isEmpty()) openInput(file);

@@ -12,6 +12,7 @@
 #include "ui/features/import_feature.h"
 #include "ui/features/pacs_feature.h"
 #include "ui/features/presets_feature.h"
+#include "ui/features/view_history_feature.h"
 #include "ui/preferences.h"
 #include "ui/series_dialog.h"
 
@@ -87,6 +88,7 @@ void MainWindow::buildDocks() {
 
 /// One line a feature; the order is that of their entries in the menus.
 void MainWindow::buildFeatures() {
+    auto* view_history = new ViewHistoryFeature(*bench_);
     new ImportFeature(*bench_);
     new PacsFeature(*bench_);
     new ColoursFeature(*bench_, transfer_panel_, ranges_panel_, tabs_);
@@ -101,7 +103,8 @@ void MainWindow::buildFeatures() {
     regions_ = new RegionsFeature(*bench_);
     inspection_ = new InspectionFeature(*bench_);
     batch_ = new BatchFeature(*bench_);
-    session_ = new SessionFeature(*bench_, *inspection_);
+    session_ = new SessionFeature(*bench_, *inspection_, *regions_);
+    connect(session_, &SessionFeature::restored, view_history, &ViewHistoryFeature::reset);
     accuracy_ = new AccuracyFeature(*bench_);
     render_panel_->append(accuracy_->budget());
     limits_ = new LimitsFeature(*bench_);

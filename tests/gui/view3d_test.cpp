@@ -83,7 +83,7 @@ TEST_F(View3dTest, KeysAloneMoveTiltFlipOpenAndRemoveCuts) {
     EXPECT_NEAR(plane().offset, was.offset - voxel, 1e-9);
     key(Qt::Key_PageUp, Qt::ControlModifier);
     EXPECT_NEAR(plane().offset, was.offset + 9 * voxel, 1e-9);
-    key(Qt::Key_Left, Qt::AltModifier);
+    key(Qt::Key_Left, Qt::AltModifier | Qt::ShiftModifier);
     EXPECT_NEAR(glm::degrees(std::acos(glm::dot(plane().normal, was.normal))), 2, 1.5);
     const CuttingPlane tilted = plane();
     key(Qt::Key_C, Qt::ShiftModifier);

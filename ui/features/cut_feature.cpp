@@ -72,10 +72,10 @@ void CutFeature::buildMenu() {
     const auto tilts = [&](const QString& text, const char* keys, double right, double up) {
         in_view(bench_.add(move, text, key(keys), this, [this, right, up] { tiltBy(right, up); }), false);
     };
-    tilts(tr("Tilt to the left"), "Alt+Left", -k_tilt_deg, 0);
-    tilts(tr("Tilt to the right"), "Alt+Right", k_tilt_deg, 0);
-    tilts(tr("Tilt up"), "Alt+Up", 0, k_tilt_deg);
-    tilts(tr("Tilt down"), "Alt+Down", 0, -k_tilt_deg);
+    tilts(tr("Tilt to the left"), "Alt+Shift+Left", -k_tilt_deg, 0);
+    tilts(tr("Tilt to the right"), "Alt+Shift+Right", k_tilt_deg, 0);
+    tilts(tr("Tilt up"), "Alt+Shift+Up", 0, k_tilt_deg);
+    tilts(tr("Tilt down"), "Alt+Shift+Down", 0, -k_tilt_deg);
     menu->addSeparator();
     box_ = in_view(bench_.add(menu, tr("Show a &box of the volume alone"), key("Shift+B"), this,
                               [this](bool on) {

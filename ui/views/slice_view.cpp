@@ -310,7 +310,7 @@ bool SliceView::handleKey(int key, bool shift) {
 }
 
 void SliceView::keyPressEvent(QKeyEvent* event) {
-    if (volume_.empty()) return QWidget::keyPressEvent(event);
+    if (volume_.empty() || (event->modifiers() & Qt::AltModifier)) return QWidget::keyPressEvent(event);
     for (SliceTool* tool : tools_)
         if (tool->key(*this, *event)) return;
     if (!handleKey(event->key(), event->modifiers() & Qt::ShiftModifier)) QWidget::keyPressEvent(event);

@@ -252,6 +252,7 @@ void VolumeView::wheelEvent(QWheelEvent* event) {
 }
 
 void VolumeView::keyPressEvent(QKeyEvent* event) {
+    if (event->modifiers() & Qt::AltModifier) return QWidget::keyPressEvent(event);  // commands, also disabled ones
     const bool shift = event->modifiers() & Qt::ShiftModifier;
     const double px = k_pixels_per_key, deg = k_degrees_per_key;
     switch (event->key()) {

@@ -1,0 +1,128 @@
+#include "ui/features/view_history_feature.h"
+
+#include <QGuiApplication>
+#include <QMouseEvent>
+
+namespace lacuna::ui {
+
+namespace {
+constexpr int k_gesture_pause_ms = 700;  // as of edits
+
+/// Every command within a menu and the menus in it.
+template <class Visit>
+void for_commands(QMenu* menu, const Visit& visit) {
+    for (QAction* action : menu->actions()) action->menu() ? for_commands(action->menu(), visit) : visit(action);
+}
+}  // namespace
+
+ViewHistoryFeature::ViewHistoryFeature(Workbench& bench) : QObject(&bench), bench_(bench) {
+    QMenu* view = bench.menu(Workbench::Menu::view);
+    back_ = bench.addAlways(view, tr("Prev&ious view"), QKeySequence(QStringLiteral("Alt+Left")), this,
+                            &ViewHistoryFeature::back);
+    forward_ = bench.addAlways(view, tr("&Next view"), QKeySequence(QStringLiteral("Alt+Right")), this,
+                               &ViewHistoryFeature::forward);
+    gesture_end_.setSingleShot(true);
+    gesture_end_.setInterval(k_gesture_pause_ms);
+    connect(&gesture_end_, &QTimer::timeout, this, [this] {
+        if (QGuiApplication::mouseButtons() != Qt::NoButton)
+            gesture_end_.start();  // still dragging
+        else
+            history_.seal();
+    });
+    turn_end_.setSingleShot(true);
+    turn_end_.setInterval(0);
+    connect(&turn_end_, &QTimer::timeout, this, [this] { in_turn_ = Moved::nothing; });
+    DocumentController* documents = bench.documents();
+    connect(documents, &DocumentController::opened, this, &ViewHistoryFeature::reset);
+    connect(documents, &DocumentController::cameraChanged, this, [this] { note(Moved::camera); });
+    connect(documents, &DocumentController::cursorChanged, this, [this] { note(Moved::cursor); });
+    bench.views()->volumeView()->installEventFilter(this);
+    for (SliceView* slice : bench.views()->slices()) slice->installEventFilter(this);
+    // A command is a step of its own: "from the left" after "from the front" can be taken back alone.
+    for_commands(view, [this](QAction* action) { connect(action, &QAction::triggered, this, [this] { seal(); }); });
+    connect(&bench, &Workbench::stateWanted, this,
+            [this](QVariantMap& state) { state[QStringLiteral("views/history")] = QVariant::fromValue(history_); });
+    connect(&bench, &Workbench::stateBack, this, [this](const QVariantMap& state) {
+        const QVariant kept = state[QStringLiteral("views/history")];
+        if (!kept.canConvert<ViewHistory>()) return;
+        history_ = kept.value<ViewHistory>();
+        show();
+    });
+    show();
+}
+
+Viewpoint ViewHistoryFeature::viewpoint() const {
+    const Document& document = bench_.documents()->document();
+    return {document.camera, document.cursor_mm};
+}
+
+void ViewHistoryFeature::reset() {
+    if (bench_.documents()->hasDocument()) history_.reset(viewpoint());
+    in_turn_ = last_ = Moved::nothing;
+    show();
+}
+
+void ViewHistoryFeature::seal() {
+    history_.seal();
+    last_ = Moved::nothing;
+}
+
+void ViewHistoryFeature::note(Moved moved) {
+    if (going_ || !bench_.documents()->hasDocument()) return;
+    const auto with = [](Moved a, Moved b) { return a == Moved::nothing || a == b ? b : Moved::both; };
+    const bool joins = in_turn_ != Moved::nothing && in_turn_ != moved;  // a row chosen moves the slices, then the view
+    in_turn_ = with(in_turn_, moved);
+    turn_end_.start();
+    gesture_end_.start();
+    if (!joins && last_ != in_turn_) history_.seal();
+    last_ = in_turn_;
+    const QString name = in_turn_ == Moved::camera   ? tr("3D view")
+                         : in_turn_ == Moved::cursor ? tr("cross-hair")
+                                                     : tr("3D view and cross-hair");
+    history_.note(name.toStdString(), viewpoint(), joins);
+    show();
+}
+
+void ViewHistoryFeature::back() {
+    if (history_.can_go_back()) go(history_.back());
+}
+
+void ViewHistoryFeature::forward() {
+    if (history_.can_go_forward()) go(history_.forward());
+}
+
+void ViewHistoryFeature::go(const Viewpoint& to) {
+    const Viewpoint there = to;
+    going_ = true;
+    bench_.documents()->setCamera(there.camera);
+    bench_.documents()->setCursor(there.cursor_mm);
+    going_ = false;
+    seal();
+    show();
+}
+
+void ViewHistoryFeature::show() {
+    back_->setEnabled(history_.can_go_back());
+    forward_->setEnabled(history_.can_go_forward());
+    back_->setText(history_.can_go_back() ? tr("Prev&ious view: %1").arg(QString::fromStdString(history_.back_name()))
+                                          : tr("Prev&ious view"));
+    forward_->setText(history_.can_go_forward()
+                          ? tr("&Next view: %1").arg(QString::fromStdString(history_.forward_name()))
+                          : tr("&Next view"));
+    Q_EMIT changed();
+}
+
+bool ViewHistoryFeature::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::MouseButtonPress && event->type() != QEvent::MouseButtonRelease)
+        return QObject::eventFilter(watched, event);
+    const Qt::MouseButton button = static_cast<QMouseEvent*>(event)->button();
+    const bool side = button == Qt::BackButton || button == Qt::ForwardButton;
+    if (!side) {
+        seal();  // each press begins a gesture, each release ends one
+        return QObject::eventFilter(watched, event);
+    }
+    if (event->type() == QEvent::MouseButtonPress) button == Qt::BackButton ? back() : forward();
+    return true;
+}
+
+}  // namespace lacuna::ui

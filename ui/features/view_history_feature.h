@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QTimer>
+
+#include "core/session/view_history.h"
+#include "ui/workbench.h"
+
+namespace lacuna::ui {
+
+/// View > Previous view and Next view: back and forward through where one looked from and where the slices were, by
+/// menu, keys and the mouse's side buttons. A drag, a run of keys or of wheel notches is one step.
+class ViewHistoryFeature final : public QObject {
+    Q_OBJECT
+public:
+    explicit ViewHistoryFeature(Workbench& bench);
+    const ViewHistory& history() const { return history_; }
+
+public Q_SLOTS:
+    void back();
+    void forward();
+    /// What is shown now has nothing before it.
+    void reset();
+
+Q_SIGNALS:
+    void changed();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    enum class Moved { nothing, camera, cursor, both };
+    Viewpoint viewpoint() const;
+    void note(Moved moved);
+    void go(const Viewpoint& to);
+    void seal();
+    void show();
+
+    Workbench& bench_;
+    ViewHistory history_;
+    QAction *back_, *forward_;
+    QTimer gesture_end_, turn_end_;
+    Moved in_turn_ = Moved::nothing;  ///< within this turn of the event loop: what moves in one turn is one step
+    Moved last_ = Moved::nothing;
+    bool going_ = false;
+};
+
+}  // namespace lacuna::ui
