@@ -60,7 +60,7 @@ private:
     void replaceSettings(const ViewSettings& settings);
 
     std::optional<Document> document_;
-    EditHistory history_;
+    EditHistory history_{500};
     QTimer gesture_end_;
 };
 
