@@ -7,6 +7,7 @@
 
 #include "app/parse.h"
 #include "core/base/atomic_file.h"
+#include "core/classify/preset_file.h"
 #include "core/render/turn.h"
 
 namespace lacuna::cli {
@@ -31,7 +32,9 @@ void RenderOptions::add_to(CLI::App& command) {
     };
     word("--mode", words_.mode, "iso, ea (default), mip, lmip, minip, mean or shear-warp");
     word("--iso", words_.iso, "isovalue (default: Otsu's threshold)");
-    word("--tf", words_.tf, "transfer function: FILE or preset:NAME (default: fitted)");
+    word("--tf", words_.tf,
+         "transfer function: FILE or preset:NAME (default: fitted); mode, shading and step a FILE states hold where "
+         "no flag says otherwise");
     words("--range", words_.ranges, "LO,HI[:FILE|:preset:NAME]: values outside are transparent (repeat)");
     words("--cut", words_.cuts, "a,b,c,d[:cap|open]: keep a*x+b*y+c*z+d >= 0, mm (repeat)");
     word("--window", words_.window, "LO,HI: grey levels, black to white (default: all values)");
@@ -116,6 +119,19 @@ CuttingPlane RenderOptions::parse_cut(const std::string& text) {
         cut.cap = kind == "cap";
     }
     return cut;
+}
+
+/// What a file states of mode, shading and step holds where no word says otherwise.
+void RenderOptions::take_technique(const std::string& file) {
+    const std::optional<Technique> technique = load_preset(file).technique;
+    if (!technique) return;
+    try {
+        if (!technique->mode.empty() && !words_.mode && !words_.plan) mode_ = parse_view_mode(technique->mode);
+        if (!technique->shading.empty() && !words_.shading) shading_ = parse_shading(technique->shading);
+    } catch (const Error& fault) {
+        throw Error(Errc::bad_input, fmt::format("{}: technique: {}", file, fault.what()));
+    }
+    if (technique->step != 0 && !words_.step && !words_.plan) step_ = technique->step;
 }
 
 void RenderOptions::parse_camera() {
@@ -268,6 +284,10 @@ void RenderOptions::parse() {
     if (words_.window) window_ = parse_range("--window", *words_.window);
     parse_camera();
     parse_plan();
+    if (words_.tf) {
+        tf_ = parse_tf("--tf", *words_.tf);
+        if (tf_->loaded) take_technique(*words_.tf);
+    }
     parse_replayed_plan();
     parse_budget();
     if (words_.verify_against)
@@ -281,7 +301,6 @@ void RenderOptions::parse() {
             effects_.push_back(std::move(effect));
     regions.parse();
     check_combinations();
-    if (words_.tf) tf_ = parse_tf("--tf", *words_.tf);
     for (const std::string& text : words_.ranges) ranges_.push_back(parse_segmentation_range(text));
     rehearse();
 }
@@ -329,7 +348,7 @@ Plan RenderOptions::plan(const Scene& scene) const {
     };
     take(plan.structure, structure_, "--structure");
     if (structure_) plan.cells = Plan{}.cells;  // fine cells were chosen for the default structure
-    take(plan.step, step_, "--step");
+    take(plan.step, step_, words_.step ? "--step" : "the step of the --tf file");
     take(plan.sampler, sampler_, "--sampler");
     take(plan.refine, refine_, "--refine");
     take(plan.refine_steps, refine_steps_, "--refine-steps");

@@ -67,6 +67,7 @@ private:
     static TfChoice parse_tf(const std::string& flag, const std::string& text);
     static Range parse_segmentation_range(const std::string& text);
     static CuttingPlane parse_cut(const std::string& text);
+    void take_technique(const std::string& file);
     void parse_camera();
     void parse_plan();
     void parse_replayed_plan();

@@ -76,6 +76,39 @@ TEST_F(Result, StatisticsHaveTheContractsKeys) {
     EXPECT_LE(stats["error"]["mean"], stats["error"]["max"]);
 }
 
+TEST_F(Result, AFilesTechniqueHoldsWhereNoFlagSaysOtherwise) {
+    const auto plan_with = [&](const std::string& technique, const std::vector<std::string>& more) {
+        std::ofstream(path("own.json")) << R"({"version":2,"name":"own","unit_distance_mm":1,)"
+                                        << R"("points":[{"value":0,"color":[1,1,1],"opacity":0},)"
+                                        << R"({"value":100,"color":[1,0.5,0],"opacity":1}])" << technique << "}";
+        std::vector<std::string> words{"render", "sample:head@24", "-o",      path("a.png"), "--size", "32x32",
+                                       "--tf",   path("own.json"), "--stats", path("s.json")};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome outcome = lacuna(words);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return json::parse(read(path("s.json")))["plan"];
+    };
+    const std::string technique = R"(,"technique":{"mode":"mip","shading":"none","step":0.25})";
+    json plan = plan_with(technique, {});
+    EXPECT_EQ(plan["mode"], "mip");
+    EXPECT_EQ(plan["step"], 0.25);
+    plan = plan_with(technique, {"--mode", "ea", "--step", "1"});
+    EXPECT_EQ(plan["mode"], "ea");
+    EXPECT_EQ(plan["step"], 1);
+    plan = plan_with(technique, {"--mode", "iso"});
+    EXPECT_EQ(plan["mode"], "iso");
+    EXPECT_EQ(plan["step"], 0.25);
+    const std::string unshaded = read(path("a.png"));
+    plan_with(technique, {"--mode", "iso", "--shading", "phong"});
+    EXPECT_NE(read(path("a.png")), unshaded);
+    plan = plan_with("", {});
+    EXPECT_EQ(plan["mode"], "ea") << "the contract's defaults where the file states nothing";
+    EXPECT_EQ(plan["step"], 0.5);
+    std::ofstream(path("bad.json")) << R"({"name":"x","points":[{"value":0,"color":[1,1,1],"opacity":0}],)"
+                                    << R"("technique":{"mode":"hologram"}})";
+    expect_failure(lacuna({"render", "sample:head@24", "-o", path("b.png"), "--tf", path("bad.json")}), 1, "hologram");
+}
+
 TEST_F(Result, StatisticsWithoutVerifyHaveNoError) {
     ASSERT_EQ(
         lacuna({"render", "sample:head@24", "-o", path("a.png"), "--size", "16x16", "--stats", path("s.json")}).status,
