@@ -1,7 +1,7 @@
 #include "ui/dicom_browser.h"
 
+#include <QDate>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QImage>
@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <functional>
 
+#include "ui/file_choice.h"
 #include "ui/preferences.h"
 #include "ui/tab_chain.h"
 
@@ -163,18 +164,14 @@ DicomBrowser::DicomBrowser(TaskList* tasks, QWidget* parent)
 
 DicomBrowser::~DicomBrowser() = default;
 
-QString DicomBrowser::startFolder() const {
-    return path_->text().isEmpty() ? preferences::open_folder() : path_->text();
-}
-
 void DicomBrowser::chooseFolder() {
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Look for DICOM in a folder"), startFolder());
+    const QString folder = file_choice::open_folder(this, tr("Look for DICOM in a folder"), FileKind::dicom);
     if (!folder.isEmpty()) look(folder);
 }
 
 void DicomBrowser::chooseDicomdir() {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Read a DICOMDIR"), startFolder(),
-                                                      tr("DICOMDIR (DICOMDIR dicomdir);;All files (*)"));
+    const QString file = file_choice::open_file(this, tr("Read a DICOMDIR"), FileKind::dicom,
+                                                tr("DICOMDIR (DICOMDIR dicomdir);;All files (*)"));
     if (!file.isEmpty()) look(file);
 }
 

@@ -36,7 +36,6 @@ Q_SIGNALS:
     void pictured();  ///< all small pictures are there
 
 private:
-    QString startFolder() const;
     void chooseFolder();
     void chooseDicomdir();
     void showCatalogue(const Catalogue& catalogue);

@@ -1,18 +1,18 @@
 #include "ui/pacs_dialog.h"
 
 #include <QDate>
+#include <QDateTime>
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLocale>
-#include <QSettings>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "core/io/dicom_catalogue.h"
+#include "ui/file_choice.h"
 #include "ui/pacs_server_dialog.h"
 #include "ui/preferences.h"
 
@@ -288,12 +288,8 @@ void PacsDialog::loadSeries(QTreeWidgetItem* study) {
 
 void PacsDialog::chooseAndRetrieve() {
     if (!results_->currentItem()) return;
-    QSettings settings;
-    const QString key = QStringLiteral("pacs/folder");
-    const QString parent = QFileDialog::getExistingDirectory(this, tr("Folder to retrieve into"),
-                                                             settings.value(key, QDir::homePath()).toString());
+    const QString parent = file_choice::open_folder(this, tr("Folder to retrieve into"), FileKind::retrieved, true);
     if (parent.isEmpty()) return;
-    settings.setValue(key, parent);
     // Named by time, not by the patient.
     const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss"));
     retrieve(QDir(parent).filePath(QStringLiteral("dicom-") + stamp));
@@ -321,8 +317,8 @@ void PacsDialog::retrieve(const QString& folder) {
 }
 
 void PacsDialog::chooseAndSend() {
-    const QStringList files = QFileDialog::getOpenFileNames(this, tr("DICOM files to send"), preferences::open_folder(),
-                                                            tr("DICOM files (*.dcm);;All files (*)"));
+    const QStringList files = file_choice::open_files(this, tr("DICOM files to send"), FileKind::dicom,
+                                                      tr("DICOM files (*.dcm);;All files (*)"));
     if (!files.isEmpty()) send(files);
 }
 

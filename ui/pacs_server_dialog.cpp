@@ -2,10 +2,11 @@
 
 #include <QAction>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QSettings>
 #include <QStyle>
+
+#include "ui/file_choice.h"
 
 namespace lacuna::ui {
 
@@ -114,8 +115,8 @@ QLineEdit* PacsServerDialog::file(const std::filesystem::path& now, const QStrin
     QAction* choose = edit->addAction(style()->standardIcon(QStyle::SP_DialogOpenButton), QLineEdit::TrailingPosition);
     choose->setToolTip(tr("Choose a file"));
     connect(choose, &QAction::triggered, this, [this, edit, name] {
-        const QString chosen =
-            QFileDialog::getOpenFileName(this, name, edit->text(), tr("PEM files (*.pem *.crt *.key);;All files (*)"));
+        const QString chosen = file_choice::open_file(this, name, FileKind::certificate,
+                                                      tr("PEM files (*.pem *.crt *.key);;All files (*)"));
         if (!chosen.isEmpty()) edit->setText(chosen);
     });
     return edit;

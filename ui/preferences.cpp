@@ -64,10 +64,6 @@ QString open_folder() { return read("folders/open", QString()); }
 void set_open_folder(const QString& folder) { keep("folders/open", folder); }
 QString save_folder() { return read("folders/save", QString()); }
 void set_save_folder(const QString& folder) { keep("folders/save", folder); }
-QString save_path(const QString& name) {
-    const QString folder = save_folder();
-    return folder.isEmpty() ? name : folder + QLatin1Char('/') + name;
-}
 
 QByteArray window_geometry() { return read("window/geometry", QByteArray()); }
 QByteArray window_state() { return read("window/state", QByteArray()); }

@@ -34,13 +34,11 @@ void set_hide_patient(bool hide);
 int autosave_minutes();
 void set_autosave_minutes(int minutes);
 
-/// Where file dialogs for opening and for writing start; empty: where the last one was.
+/// Where file dialogs for opening and for writing start; empty: where the last one was (file_choice.h).
 QString open_folder();
 void set_open_folder(const QString& folder);
 QString save_folder();
 void set_save_folder(const QString& folder);
-/// A file of that name where dialogs for writing start.
-QString save_path(const QString& name);
 
 /// The window's place and docks, as QMainWindow::saveGeometry() and saveState() give them.
 QByteArray window_geometry();

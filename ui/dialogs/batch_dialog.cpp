@@ -1,7 +1,6 @@
 #include "ui/dialogs/batch_dialog.h"
 
 #include <QDesktopServices>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -11,6 +10,8 @@
 
 #include "core/base/parallel.h"
 #include "core/render/brick_plan.h"
+
+#include "ui/file_choice.h"
 
 namespace lacuna::ui {
 
@@ -65,14 +66,15 @@ void BatchDialog::build() {
     auto* form = new QFormLayout;
     column->addLayout(form);
     parts_ = addPathRow(form, tr("P&arts"), tr("A folder with one part a sub-folder or file, or a list file"),
-                        [this] { return QFileDialog::getExistingDirectory(this, tr("Folder of the parts")); });
+                        [this] { return file_choice::open_folder(this, tr("Folder of the parts"), FileKind::parts); });
     criteria_ = addPathRow(form, tr("C&riteria"), tr("JSON file: material, defects, limits, zones"), [this] {
-        return QFileDialog::getOpenFileName(this, tr("Criteria"), {}, tr("Criteria (*.json);;All files (*)"));
+        return file_choice::open_file(this, tr("Criteria"), FileKind::criteria, tr("Criteria (*.json);;All files (*)"));
     });
-    report_ = addPathRow(form, tr("R&eport folder"), tr("Gets the summary and one report folder a part"),
-                         [this] { return QFileDialog::getExistingDirectory(this, tr("Report folder")); });
+    report_ = addPathRow(form, tr("R&eport folder"), tr("Gets the summary and one report folder a part"), [this] {
+        return file_choice::open_folder(this, tr("Report folder"), FileKind::report, true);
+    });
     reference_ = addPathRow(form, tr("Re&ference part"), tr("Deviations are told from it; may stay empty"),
-                            [this] { return QFileDialog::getExistingDirectory(this, tr("Reference part")); });
+                            [this] { return file_choice::open_folder(this, tr("Reference part"), FileKind::parts); });
     jobs_->setRange(1, std::max(1, thread_count()));
     jobs_->setAccessibleName(tr("Parts at once"));
     jobs_->setToolTip(tr("At most so many parts at once; fewer where the memory ends"));

@@ -2,7 +2,6 @@
 
 #include <QBuffer>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QGuiApplication>
 #include <QImageWriter>
 #include <QInputDialog>
@@ -11,7 +10,7 @@
 #include "core/io/mesh_writer.h"
 #include "core/io/volume_writer.h"
 #include "core/regions/iso_mesh.h"
-#include "ui/preferences.h"
+#include "ui/file_choice.h"
 #include "ui/tool_bar.h"
 #include "ui/turntable.h"
 
@@ -47,8 +46,8 @@ void ExportFeature::buildMenu() {
     bench_.add(menu, tr("Picture &without words and marks…"), QKeySequence(QStringLiteral("Ctrl+Alt+Shift+P")), this,
                [this] { askPicture(false); });
     bench_.add(menu, tr("&Turntable…"), QKeySequence(QStringLiteral("Ctrl+Alt+T")), this, [this] {
-        const QString file = QFileDialog::getSaveFileName(
-            bench_.window(), tr("Save a turntable"), preferences::save_path(QStringLiteral("turntable.png")),
+        const QString file = file_choice::save_file(
+            bench_.window(), tr("Save a turntable"), FileKind::picture, QStringLiteral("turntable.png"),
             film_encoder().isEmpty() ? tr("Pictures (*.png)") : tr("Pictures (*.png);;Films (*.mp4 *.webm)"));
         if (file.isEmpty()) return;
         bool chosen = false;
@@ -57,15 +56,15 @@ void ExportFeature::buildMenu() {
         if (chosen) saveTurntable(file, frames);
     });
     bench_.add(menu, tr("&Surface of the isovalue…"), QKeySequence(QStringLiteral("Ctrl+Alt+S")), this, [this] {
-        const QString file = QFileDialog::getSaveFileName(bench_.window(), tr("Save the surface"),
-                                                          preferences::save_path(QStringLiteral("surface.stl")),
-                                                          tr("Meshes (*.stl *.ply *.obj *.vtp)"));
+        const QString file =
+            file_choice::save_file(bench_.window(), tr("Save the surface"), FileKind::mesh,
+                                   QStringLiteral("surface.stl"), tr("Meshes (*.stl *.ply *.obj *.vtp)"));
         if (!file.isEmpty()) saveMesh(file);
     });
     bench_.add(menu, tr("&Volume…"), QKeySequence(QStringLiteral("Ctrl+Alt+V")), this, [this] {
-        const QString file = QFileDialog::getSaveFileName(bench_.window(), tr("Save the volume"),
-                                                          preferences::save_path(QStringLiteral("volume.nrrd")),
-                                                          tr("Volumes (*.nrrd *.mhd *.nii.gz *.nii *.raw)"));
+        const QString file =
+            file_choice::save_file(bench_.window(), tr("Save the volume"), FileKind::copy,
+                                   QStringLiteral("volume.nrrd"), tr("Volumes (*.nrrd *.mhd *.nii.gz *.nii *.raw)"));
         if (!file.isEmpty()) saveVolume(file);
     });
     bench_.add(bench_.menu(Workbench::Menu::edit), tr("&Copy the view"), QKeySequence::Copy, this,
@@ -88,8 +87,8 @@ void ExportFeature::askPicture(bool annotated) {
     const QImage image = picture(annotated);  // the dialog takes the focus
     const QString filter =
         QImageWriter::supportedImageFormats().contains("tiff") ? tr("Pictures (*.png *.tif)") : tr("Pictures (*.png)");
-    const QString file = QFileDialog::getSaveFileName(bench_.window(), tr("Save the picture"),
-                                                      preferences::save_path(QStringLiteral("lacuna.png")), filter);
+    const QString file = file_choice::save_file(bench_.window(), tr("Save the picture"), FileKind::picture,
+                                                QStringLiteral("lacuna.png"), filter);
     if (!file.isEmpty()) writePicture(image, file);
 }
 

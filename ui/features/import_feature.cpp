@@ -1,11 +1,10 @@
 #include "ui/features/import_feature.h"
 
 #include <QCoreApplication>
-#include <QFileDialog>
 
 #include "core/io/dicom_anonymise.h"
 #include "core/io/dicom_source.h"
-#include "ui/preferences.h"
+#include "ui/file_choice.h"
 
 namespace lacuna::ui {
 
@@ -25,9 +24,8 @@ ImportFeature::ImportFeature(Workbench& bench) : QObject(&bench), bench_(bench),
 }
 
 void ImportFeature::chooseRaw() {
-    const QString file =
-        QFileDialog::getOpenFileName(bench_.window(), tr("Import a raw volume"), preferences::open_folder(),
-                                     tr("Raw volumes (*.raw *.img *.vol *.bin *.dat);;All files (*)"));
+    const QString file = file_choice::open_file(bench_.window(), tr("Import a raw volume"), FileKind::volume,
+                                                tr("Raw volumes (*.raw *.img *.vol *.bin *.dat);;All files (*)"));
     if (!file.isEmpty()) importRaw(file);
 }
 
@@ -59,8 +57,8 @@ DicomBrowser* ImportFeature::browse() {
 }
 
 void ImportFeature::chooseAnonymised() {
-    const QString folder = QFileDialog::getSaveFileName(bench_.window(), tr("New folder for the anonymised images"),
-                                                        preferences::save_path(QStringLiteral("anonymised")));
+    const QString folder = file_choice::save_file(bench_.window(), tr("New folder for the anonymised images"),
+                                                  FileKind::copy, QStringLiteral("anonymised"));
     if (!folder.isEmpty()) anonymise(folder);
 }
 

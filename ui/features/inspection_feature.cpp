@@ -1,11 +1,9 @@
 #include "ui/features/inspection_feature.h"
 
-#include <QFileDialog>
-
 #include "core/base/atomic_file.h"
 #include "core/inspect/report.h"
 #include "core/io/dicom_source.h"
-#include "ui/preferences.h"
+#include "ui/file_choice.h"
 #include "ui/tool_bar.h"
 
 namespace lacuna::ui {
@@ -121,8 +119,8 @@ void InspectionFeature::choose(std::uint32_t id) {
 }
 
 void InspectionFeature::loadCriteria() {
-    const QString file = QFileDialog::getOpenFileName(bench_.window(), tr("Load criteria"), preferences::open_folder(),
-                                                      tr("Criteria (*.json);;All files (*)"));
+    const QString file = file_choice::open_file(bench_.window(), tr("Load criteria"), FileKind::criteria,
+                                                tr("Criteria (*.json);;All files (*)"));
     if (file.isEmpty()) return;
     try {
         panel_->setCriteria(read_criteria(file.toStdString()));
@@ -132,9 +130,8 @@ void InspectionFeature::loadCriteria() {
 }
 
 void InspectionFeature::saveCriteria() {
-    const QString file =
-        QFileDialog::getSaveFileName(bench_.window(), tr("Save the criteria"),
-                                     preferences::save_path(QStringLiteral("criteria.json")), tr("Criteria (*.json)"));
+    const QString file = file_choice::save_file(bench_.window(), tr("Save the criteria"), FileKind::criteria,
+                                                QStringLiteral("criteria.json"), tr("Criteria (*.json)"));
     if (file.isEmpty()) return;
     try {
         write_file(file.toStdString(), criteria_to_json(panel_->form()->criteria()) + "\n");
@@ -144,9 +141,8 @@ void InspectionFeature::saveCriteria() {
 }
 
 void InspectionFeature::exportReport() {
-    const QString folder =
-        QFileDialog::getSaveFileName(bench_.window(), tr("Write the report to a new folder"),
-                                     preferences::save_path(QStringLiteral("report")), tr("Folders (*)"));
+    const QString folder = file_choice::save_file(bench_.window(), tr("Write the report to a new folder"),
+                                                  FileKind::report, QStringLiteral("report"), tr("Folders (*)"));
     if (!folder.isEmpty()) writeReport(folder);
 }
 

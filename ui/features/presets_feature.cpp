@@ -1,11 +1,12 @@
 #include "ui/features/presets_feature.h"
 
-#include <QFileDialog>
 #include <QInputDialog>
 #include <QMessageBox>
 #include <QStandardPaths>
 
 #include "core/session/preset_settings.h"
+
+#include "ui/file_choice.h"
 
 namespace lacuna::ui {
 
@@ -60,14 +61,14 @@ void PresetsFeature::connectGallery() {
         question->open();
     });
     connect(gallery_, &PresetGallery::importRequested, this, [this] {
-        const QString file = QFileDialog::getOpenFileName(bench_.window(), tr("Import a preset"), QString(),
-                                                          tr("Presets (*.json);;All files (*)"));
+        const QString file = file_choice::open_file(bench_.window(), tr("Import a preset"), FileKind::preset,
+                                                    tr("Presets (*.json);;All files (*)"));
         if (!file.isEmpty()) importFile(file);
     });
     connect(gallery_, &PresetGallery::exportRequested, this, [this](const PresetEntry& entry) {
         const QString name = QString::fromStdString(entry.name) + QStringLiteral(".json");
-        QString file =
-            QFileDialog::getSaveFileName(bench_.window(), tr("Export the preset"), name, tr("Presets (*.json)"));
+        QString file = file_choice::save_file(bench_.window(), tr("Export the preset"), FileKind::preset, name,
+                                              tr("Presets (*.json)"));
         if (file.isEmpty() || !bench_.documents()->hasDocument()) return;
         if (!file.endsWith(QStringLiteral(".json"))) file += QStringLiteral(".json");
         const Document& document = bench_.documents()->document();

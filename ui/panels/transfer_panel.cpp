@@ -1,6 +1,5 @@
 #include "ui/panels/transfer_panel.h"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLinearGradient>
 #include <QMenu>
@@ -11,6 +10,7 @@
 #include "core/classify/colour_maps.h"
 #include "core/session/preset_settings.h"
 #include "core/session/shown_part.h"
+#include "ui/file_choice.h"
 #include "ui/tab_chain.h"
 
 namespace lacuna::ui {
@@ -257,8 +257,8 @@ void TransferPanel::applyColorMap(const QString& name) {
 }
 
 void TransferPanel::load() {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Load a transfer function"), QString(),
-                                                      tr("Transfer functions (*.json);;All files (*)"));
+    const QString file = file_choice::open_file(this, tr("Load a transfer function"), FileKind::preset,
+                                                tr("Transfer functions (*.json);;All files (*)"));
     if (file.isEmpty()) return;
     try {
         edit(tr("Load a transfer function"), load_transfer_function(file.toStdString()), true);
@@ -268,8 +268,8 @@ void TransferPanel::load() {
 }
 
 void TransferPanel::save() {
-    QString file = QFileDialog::getSaveFileName(this, tr("Save the transfer function"), QStringLiteral("colours.json"),
-                                                tr("Transfer functions (*.json)"));
+    QString file = file_choice::save_file(this, tr("Save the transfer function"), FileKind::preset,
+                                          QStringLiteral("colours.json"), tr("Transfer functions (*.json)"));
     if (file.isEmpty()) return;
     if (!file.contains(QLatin1Char('.'))) file += QStringLiteral(".json");
     try {
