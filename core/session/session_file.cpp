@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int k_version = 1;
+constexpr int k_version = 2;  // 2 adds the regions
 
 bool is_file_name(const std::string& input) { return !input.starts_with("sample:"); }
 
@@ -38,6 +38,59 @@ void fields(Archive& archive, DataEntry& data) {
     archive("size", data.size);
 }
 
+/// The entry "regions".
+struct RegionsEntry {
+    std::optional<double> range_width, gradient_limit;
+    std::optional<ValueRange> threshold, background;
+    int connectivity = 6;
+    std::int64_t min_voxels = 1;
+    bool merge_slivers = false, computed = false;
+    std::uint32_t selected = 0;
+};
+
+template <class Archive>
+void fields(Archive& archive, RegionsEntry& regions) {
+    archive("range_width", regions.range_width);
+    archive("threshold", regions.threshold);
+    archive("background", regions.background);
+    archive("connectivity", regions.connectivity);
+    archive("min_voxels", regions.min_voxels);
+    archive("gradient_limit", regions.gradient_limit);
+    archive("merge_slivers", regions.merge_slivers);
+    archive("computed", regions.computed);
+    archive("selected", regions.selected);
+}
+
+RegionsEntry entry_of(const SessionRegions& regions) {
+    const RegionOptions& options = regions.options;
+    return {options.range_width,   options.gradient_limit,    options.threshold,
+            options.background,    int(options.connectivity), options.min_voxels,
+            options.merge_slivers, regions.computed,          regions.selected};
+}
+
+/// @throws Error(bad_input) for what find_regions() would not take
+SessionRegions regions_of(const RegionsEntry& entry, const std::string& where) {
+    const auto refuse = [&](const char* fault) { throw Error(Errc::bad_input, where + ".regions: " + fault); };
+    if (entry.range_width.has_value() == entry.threshold.has_value())
+        refuse("exactly one of range_width and threshold has to be given.");
+    if (entry.range_width && !(*entry.range_width > 0 && *entry.range_width <= 1))
+        refuse("range_width has to lie between 0 and 1.");
+    if (entry.connectivity != 6 && entry.connectivity != 18 && entry.connectivity != 26)
+        refuse("connectivity has to be 6, 18 or 26.");
+    if (entry.min_voxels < 1) refuse("min_voxels has to be 1 or more.");
+    SessionRegions regions;
+    regions.options.range_width = entry.range_width;
+    regions.options.threshold = entry.threshold;
+    regions.options.background = entry.background;
+    regions.options.connectivity = Connectivity(entry.connectivity);
+    regions.options.min_voxels = entry.min_voxels;
+    regions.options.gradient_limit = entry.gradient_limit;
+    regions.options.merge_slivers = entry.merge_slivers;
+    regions.computed = entry.computed;
+    regions.selected = entry.selected;
+    return regions;
+}
+
 /// What the file holds besides "lacuna_session" and "criteria".
 struct Body {
     std::string saved;
@@ -46,6 +99,7 @@ struct Body {
     Camera camera;
     glm::dvec3 cursor_mm{0};
     std::vector<HandDecision> decisions;
+    std::optional<RegionsEntry> regions;
 };
 
 template <class Archive>
@@ -56,6 +110,7 @@ void fields(Archive& archive, Body& body) {
     archive("camera", body.camera);
     archive("cursor_mm", body.cursor_mm);
     archive("decisions", body.decisions);
+    archive("regions", body.regions);
 }
 
 std::string utc_now() {
@@ -114,6 +169,7 @@ void save_session(const Session& session, const fs::path& file) {
     body.camera = session.camera;
     body.cursor_mm = session.cursor_mm;
     body.decisions = session.decisions;
+    if (session.regions) body.regions = entry_of(*session.regions);
     Json json{{"lacuna_session", k_version}};
     json.update(FieldWriter::write(body));
     if (!session.criteria.empty()) json["criteria"] = parse_json(session.criteria, "The criteria");
@@ -149,6 +205,7 @@ Session load_session(const fs::path& file) {
     session.camera = body.camera;
     session.cursor_mm = body.cursor_mm;
     session.decisions = std::move(body.decisions);
+    if (body.regions) session.regions = regions_of(*body.regions, where);
     return session;
 }
 

@@ -6,9 +6,17 @@
 #include <vector>
 
 #include "core/inspect/verdict.h"
+#include "core/regions/regions.h"
 #include "core/session/document.h"
 
 namespace lacuna {
+
+/// How regions are asked for, and what there was of them.
+struct SessionRegions {
+    RegionOptions options;
+    bool computed = false;       ///< there was a table: it is made again from the data
+    std::uint32_t selected = 0;  ///< its row that was chosen; 0: none
+};
 
 /// What a session file keeps of a window: which data was open and what was done with it, but not the data itself and no
 /// result that can be computed again.
@@ -22,6 +30,7 @@ struct Session {
     glm::dvec3 cursor_mm{0};
     std::string criteria;                 ///< criteria JSON of the inspection; empty: nothing was inspected
     std::vector<HandDecision> decisions;  ///< by hand, on what an inspection by those criteria finds
+    std::optional<SessionRegions> regions;
 };
 
 /// A document's part of a session. A relative input becomes an absolute one.

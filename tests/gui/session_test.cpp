@@ -98,6 +98,41 @@ TEST_F(SessionTest, BringsAnInspectionAndItsDecisionsBack) {
     EXPECT_EQ(by_hand[0].reason, "too near to the thread");
 }
 
+TEST_F(SessionTest, BringsRegionsTheirOptionsAndTheChosenRowBack) {
+    open(k_casting);
+    RegionOptions options;
+    options.threshold = ValueRange{document().settings.iso, document().statistics->range.hi};
+    options.connectivity = Connectivity::c18;
+    options.min_voxels = 3;
+    options.merge_slivers = true;  // the panel has no field for it
+    window->regions()->panel()->setOptions(options);
+    const RegionOptions asked = window->regions()->panel()->options();
+    QSignalSpy found(window->regions(), &RegionsFeature::finished);
+    window->regions()->compute();
+    ASSERT_TRUE(found.wait(k_patience_ms));
+    ASSERT_TRUE(document().regions);
+    ASSERT_GE(document().regions->rows.size(), 1u);
+    const std::size_t rows = document().regions->rows.size();
+    window->regions()->select(1);
+    ASSERT_EQ(document().selected_region, 1u);
+    window->documents()->setCursor({1, 2, 3});
+    const QString file = folder.filePath(QStringLiteral("r.lacuna"));
+    save(file);
+    anotherWindow();
+    QSignalSpy again(window->regions(), &RegionsFeature::finished);
+    reopen(file);
+    ASSERT_TRUE(again.count() > 0 || again.wait(k_patience_ms));
+    ASSERT_TRUE(document().regions);
+    EXPECT_EQ(document().regions->rows.size(), rows);
+    EXPECT_EQ(document().selected_region, 1u);
+    EXPECT_EQ(document().cursor_mm, glm::dvec3(1, 2, 3));
+    const RegionOptions back = window->regions()->panel()->options();
+    EXPECT_EQ(back.threshold, asked.threshold);
+    EXPECT_EQ(back.connectivity, Connectivity::c18);
+    EXPECT_EQ(back.min_voxels, 3);
+    EXPECT_TRUE(back.merge_slivers);
+}
+
 TEST_F(SessionTest, WhatACrashLeftIsOfferedAgain) {
     open(k_casting);
     changeThings();
@@ -146,7 +181,8 @@ TEST_F(SessionTest, MovedOrChangedDataIsSaidAndNothingIsLost) {
         [this] { return window->messageBar()->text().contains(QStringLiteral("not the same")); }, k_patience_ms));
     ASSERT_TRUE(QFile::rename(data, folder.filePath(QStringLiteral("gone.mhd"))));
     window->openInput(file);
-    EXPECT_TRUE(window->messageBar()->text().contains(QStringLiteral("not where it was")));
+    ASSERT_TRUE(QTest::qWaitFor(
+        [this] { return window->messageBar()->text().contains(QStringLiteral("not where it was")); }, k_patience_ms));
     EXPECT_EQ(window->messageBar()->answerButtons().size(), 2);
     EXPECT_TRUE(window->documents()->hasDocument());
     EXPECT_EQ(document().settings.iso, 1234.5);

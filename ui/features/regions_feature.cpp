@@ -1,9 +1,7 @@
 #include "ui/features/regions_feature.h"
 
-#include <QFileDialog>
-
 #include "core/base/atomic_file.h"
-#include "ui/preferences.h"
+#include "ui/file_choice.h"
 #include "ui/tool_bar.h"
 
 namespace lacuna::ui {
@@ -14,7 +12,8 @@ RegionsFeature::RegionsFeature(Workbench& bench)
       panel_(new RegionsPanel(bench.window())),
       dock_(bench.addDock(QStringLiteral("regions"), tr("Regions"), panel_, Qt::BottomDockWidgetArea)),
       find_(this, bench.tasks()),
-      gather_(this) {
+      gather_(this),
+      write_(this, bench.tasks()) {
     bench.needDocument(panel_);
     offer_tool(bench.add(bench.menu(Workbench::Menu::tools), tr("Compute re&gions"),
                          QKeySequence(QStringLiteral("Ctrl+R")), this, &RegionsFeature::compute),
@@ -34,6 +33,13 @@ RegionsFeature::RegionsFeature(Workbench& bench)
             [this, documents] { panel_->setSettings(documents->document().settings); });
     connect(documents, &DocumentController::regionsChanged, this,
             [this, documents] { panel_->setTable(documents->document().regions); });
+    connect(&bench, &Workbench::stateWanted, this, [this](QVariantMap& state) {
+        state[QStringLiteral("regions/options")] = QVariant::fromValue(panel_->options());
+    });
+    connect(&bench, &Workbench::stateBack, this, [this](const QVariantMap& state) {
+        const QVariant kept = state[QStringLiteral("regions/options")];
+        if (kept.canConvert<RegionOptions>()) panel_->setOptions(kept.value<RegionOptions>());
+    });
 }
 
 void RegionsFeature::compute() {
@@ -57,6 +63,12 @@ void RegionsFeature::compute() {
 void RegionsFeature::cancel() {
     gather_.cancel();
     find_.cancel();
+}
+
+void RegionsFeature::select(std::uint32_t id) {
+    const QAbstractItemModel* rows = panel_->table()->model();
+    for (int row = 0; row < rows->rowCount(); ++row)
+        if (rows->index(row, 0).data(RegionModel::k_id_role).toUInt() == id) return panel_->table()->selectRow(row);
 }
 
 void RegionsFeature::choose(std::uint32_t id) {
@@ -87,15 +99,19 @@ void RegionsFeature::exportTable() {
         bench_.messages()->showNotice(tr("There is no region table yet; compute the regions first."));
         return;
     }
-    const QString file =
-        QFileDialog::getSaveFileName(bench_.window(), tr("Export the region table"),
-                                     preferences::save_path(QStringLiteral("regions.csv")), tr("Tables (*.csv)"));
+    const QString file = file_choice::save_file(bench_.window(), tr("Export the region table"), FileKind::table,
+                                                QStringLiteral("regions.csv"), tr("Tables (*.csv)"));
     if (file.isEmpty()) return;
-    try {
-        write_file(file.toStdString(), regions_to_csv(*documents->document().regions));
-    } catch (const Error& error) {
-        bench_.report(error);
-    }
+    write_.start(
+        tr("Writing the region table"),
+        [table = documents->document().regions, file](const JobContext&) {
+            write_file(file.toStdString(), regions_to_csv(*table));
+            return file;
+        },
+        [this](Outcome<QString> outcome) {
+            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+            bench_.messages()->showNotice(tr("Written to %1.").arg(std::get<0>(outcome)));
+        });
 }
 
 }  // namespace lacuna::ui

@@ -16,6 +16,8 @@ public:
     QDockWidget* dock() const { return dock_; }
     void compute();
     void cancel();
+    /// Marks a region of the table as choosing its row does.
+    void select(std::uint32_t id);
 
 public Q_SLOTS:
     void exportTable();
@@ -32,6 +34,7 @@ private:
     QDockWidget* dock_;
     Task<std::shared_ptr<const RegionTable>> find_;
     LatestJob<std::shared_ptr<const Highlight>> gather_;
+    Task<QString> write_;
 };
 
 }  // namespace lacuna::ui

@@ -1,10 +1,12 @@
 #include "ui/features/session_feature.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <QThread>
 #include <QUuid>
+#include <cstdlib>
 
+#include "ui/file_choice.h"
 #include "ui/preferences.h"
 #include "ui/tool_bar.h"
 
@@ -13,6 +15,21 @@ namespace lacuna::ui {
 namespace {
 
 constexpr int k_tick_ms = 5000;
+constexpr qint64 k_rest_ms = 5000;  ///< without a change: what was done until then is kept at once
+
+/// Those of the windows there are. Never destroyed: it is asked while the program ends.
+std::vector<SessionFeature*>& living() {
+    static auto* const features = new std::vector<SessionFeature*>;
+    return *features;
+}
+
+/// Runs as the program exits. Windows that are still there then were not closed: something called exit() under them.
+void keep_what_lives() {
+    if (living().empty()) return;
+    for (SessionFeature* feature : living())
+        if (feature->thread() == QThread::currentThread()) feature->keepNow();
+    std::_Exit(EXIT_FAILURE);  // jobs still run, and would go on with what the end of the program takes away
+}
 
 QString session_filter() { return SessionFeature::tr("Sessions (*.lacuna)"); }
 
@@ -33,8 +50,15 @@ QDir SessionFeature::autosaveFolder() {
 
 QString SessionFeature::lastFile() { return autosaveFolder().filePath(QStringLiteral("last.lacuna")); }
 
-SessionFeature::SessionFeature(Workbench& bench, InspectionFeature& inspection)
-    : QObject(&bench), bench_(bench), inspection_(inspection), hash_(this), write_(this), save_(this, bench.tasks()) {
+SessionFeature::SessionFeature(Workbench& bench, InspectionFeature& inspection, RegionsFeature& regions)
+    : QObject(&bench),
+      bench_(bench),
+      inspection_(inspection),
+      regions_(regions),
+      read_(this),
+      hash_(this),
+      write_(this),
+      save_(this, bench.tasks()) {
     buildMenu();
     const QString name = QStringLiteral("autosave-") + QUuid::createUuid().toString(QUuid::WithoutBraces);
     autosave_file_ = autosaveFolder().filePath(name + QLatin1String(k_session_suffix));
@@ -43,17 +67,22 @@ SessionFeature::SessionFeature(Workbench& bench, InspectionFeature& inspection)
     lock_->tryLock(0);
     connect(&autosave_timer_, &QTimer::timeout, this, [this] {
         const int minutes = preferences::autosave_minutes();  // may be changed at any time
-        if (minutes > 0 && since_autosave_.elapsed() >= qint64(minutes) * 60000) autosave();
+        if (minutes > 0 &&
+            (since_autosave_.elapsed() >= qint64(minutes) * 60000 || since_change_.elapsed() >= k_rest_ms))
+            autosave();
     });
     autosave_timer_.start(k_tick_ms);
     since_autosave_.start();
+    since_change_.start();
     DocumentController* documents = bench.documents();
     connect(documents, &DocumentController::opened, this, &SessionFeature::documentOpened);
     for (const auto signal : {&DocumentController::settingsChanged, &DocumentController::inspectionChanged})
         connect(documents, signal, this, &SessionFeature::changed);
-    for (const auto signal : {&DocumentController::cameraChanged, &DocumentController::cursorChanged})
-        connect(documents, signal, this, [this] { dirty_ = true; });  // kept, but nothing to be asked about
-    connect(bench.loader(), &LoadController::started, this, &SessionFeature::autosave);  // of what is about to go
+    for (const auto signal : {&DocumentController::cameraChanged, &DocumentController::cursorChanged,
+                              &DocumentController::regionsChanged, &DocumentController::selectionChanged})
+        connect(documents, signal, this, &SessionFeature::moved);
+    connect(bench.loader(), &LoadController::started, this, &SessionFeature::autosave);   // of what is about to go
+    connect(bench.loader(), &LoadController::started, this, [this] { read_.cancel(); });  // what came later counts
     connect(inspection.panel(), &InspectionPanel::decided, this, &SessionFeature::changed);
     connect(bench.loader(), &LoadController::failed, this, [this] { pending_.reset(); });
     connect(bench.loader(), &LoadController::cancelled, this, [this] { pending_.reset(); });
@@ -65,27 +94,33 @@ SessionFeature::SessionFeature(Workbench& bench, InspectionFeature& inspection)
         file_ = state[QStringLiteral("session/file")].toString();
         bench_.window()->setWindowModified(state[QStringLiteral("session/changed")].toBool());
     });
+    static const bool keeps = [] { return std::atexit(keep_what_lives) == 0; }();
+    if (keeps) living().push_back(this);
     QTimer::singleShot(0, this, &SessionFeature::offerRecovery);
 }
 
-SessionFeature::~SessionFeature() = default;
+SessionFeature::~SessionFeature() { std::erase(living(), this); }
 
-void SessionFeature::finish() {
-    write_.cancel();
+void SessionFeature::keepNow() {
     if (!bench_.documents()->hasDocument()) return;
     try {
         save_session(current(), autosave_file_.toStdString());
     } catch (const Error&) {
         // The one before it is kept.
     }
-    keepAsLast();
+}
+
+void SessionFeature::finish() {
+    write_.cancel();
+    keepNow();
+    if (bench_.documents()->hasDocument()) keepAsLast();
 }
 
 void SessionFeature::buildMenu() {
     QMenu* file = bench_.menu(Workbench::Menu::file);
     bench_.addAlways(file, tr("Open a sess&ion…"), QKeySequence(QStringLiteral("Ctrl+Alt+O")), this, [this] {
-        const QString name = QFileDialog::getOpenFileName(bench_.window(), tr("Open a session"),
-                                                          preferences::open_folder(), session_filter());
+        const QString name =
+            file_choice::open_file(bench_.window(), tr("Open a session"), FileKind::session, session_filter());
         if (!name.isEmpty()) openFile(name);
     });
     QAction* last =
@@ -97,8 +132,14 @@ void SessionFeature::buildMenu() {
                &SessionFeature::saveAs);
 }
 
-void SessionFeature::changed() {
+/// Worth keeping, but nothing to be asked about.
+void SessionFeature::moved() {
     dirty_ = true;
+    since_change_.restart();
+}
+
+void SessionFeature::changed() {
+    moved();
     bench_.window()->setWindowModified(true);
 }
 
@@ -110,9 +151,8 @@ void SessionFeature::save() {
 }
 
 void SessionFeature::saveAs() {
-    QString name =
-        QFileDialog::getSaveFileName(bench_.window(), tr("Save the session"),
-                                     preferences::save_path(QStringLiteral("session.lacuna")), session_filter());
+    QString name = file_choice::save_file(bench_.window(), tr("Save the session"), FileKind::session,
+                                          QStringLiteral("session.lacuna"), session_filter());
     if (name.isEmpty()) return;
     if (QFileInfo(name).suffix().isEmpty()) name += QLatin1String(k_session_suffix);
     saveTo(name);
@@ -124,6 +164,9 @@ Session SessionFeature::current() const {
         session.criteria = criteria_to_json(inspection_.panel()->form()->criteria());
         session.decisions = inspection_.panel()->judgement().by_hand;
     }
+    const Document& document = bench_.documents()->document();
+    session.regions =
+        SessionRegions{regions_.panel()->options(), document.regions != nullptr, document.selected_region};
     return session;
 }
 
@@ -146,13 +189,18 @@ void SessionFeature::saveTo(const QString& file) {
 }
 
 void SessionFeature::openFile(const QString& file) {
-    try {
-        Session session = load_session(file.toStdString());
-        if (!data_exists(session)) return askForData(std::move(session), file);
-        start(std::move(session), file);
-    } catch (const Error& error) {
-        bench_.report(error);
-    }
+    // A folder on a server that does not answer holds nobody up.
+    read_.start(
+        [file](const JobContext&) {
+            Found found{load_session(file.toStdString())};
+            found.data_there = data_exists(found.session);
+            return found;
+        },
+        [this, file](Outcome<Found> outcome) {
+            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+            Found& found = std::get<Found>(outcome);
+            found.data_there ? start(std::move(found.session), file) : askForData(std::move(found.session), file);
+        });
 }
 
 void SessionFeature::start(Session session, const QString& file) {
@@ -166,9 +214,8 @@ void SessionFeature::start(Session session, const QString& file) {
 void SessionFeature::askForData(Session session, const QString& file) {
     const auto locate = [this, session, file](bool folder) {
         const QString title = tr("Where is the session's data?");
-        const QString name = folder
-                                 ? QFileDialog::getExistingDirectory(bench_.window(), title, preferences::open_folder())
-                                 : QFileDialog::getOpenFileName(bench_.window(), title, preferences::open_folder());
+        const QString name = folder ? file_choice::open_folder(bench_.window(), title, FileKind::volume)
+                                    : file_choice::open_file(bench_.window(), title, FileKind::volume, QString());
         if (name.isEmpty()) return;
         Session moved = session;
         moved.input = name.toStdString();
@@ -196,6 +243,7 @@ void SessionFeature::documentOpened() {
             expected = session.sha256;
             file_ = pending_file_;
             restoreInspection(session);
+            restoreRegions(session);
             Q_EMIT restored();
         } catch (const Error& error) {
             bench_.report(error);
@@ -237,6 +285,21 @@ void SessionFeature::restoreInspection(const Session& session) {
         },
         Qt::SingleShotConnection);
     inspection_.inspect(criteria.detection);
+}
+
+void SessionFeature::restoreRegions(const Session& session) {
+    if (!session.regions) return;
+    regions_.panel()->setOptions(session.regions->options);
+    if (!session.regions->computed) return;
+    connect(
+        &regions_, &RegionsFeature::finished, this,
+        [this, selected = session.regions->selected, cursor = session.cursor_mm] {
+            if (selected == 0) return;
+            regions_.select(selected);
+            bench_.documents()->setCursor(cursor);  // choosing a row goes to its region
+        },
+        Qt::SingleShotConnection);
+    regions_.compute();
 }
 
 void SessionFeature::autosave() {

@@ -8,6 +8,7 @@
 
 #include "core/session/session_file.h"
 #include "ui/features/inspection_feature.h"
+#include "ui/features/regions_feature.h"
 #include "ui/workbench.h"
 
 namespace lacuna::ui {
@@ -17,10 +18,11 @@ namespace lacuna::ui {
 class SessionFeature final : public QObject {
     Q_OBJECT
 public:
-    SessionFeature(Workbench& bench, InspectionFeature& inspection);
+    SessionFeature(Workbench& bench, InspectionFeature& inspection, RegionsFeature& regions);
     ~SessionFeature() override;
 
-    /// Opens the session's data, then shows it as it was left. What is open stays until the data has been read.
+    /// Reads the file and opens the session's data, both off the window's thread, then shows it as it was left. What is
+    /// open stays until the data has been read.
     void openFile(const QString& file);
     /// Writes the open document's session; off the window's thread, because the voxels' hash belongs to it.
     void saveTo(const QString& file);
@@ -28,6 +30,9 @@ public:
     void autosave();
     /// The window closes: what is open becomes the last session.
     void finish();
+    /// The program ends from within, as Qt ends it when its display goes away: what is open is left as after a crash,
+    /// to be offered again.
+    void keepNow();
     static QDir autosaveFolder();
     static QString lastFile();
 
@@ -37,14 +42,16 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void saved(const QString& file);
-    void restored();  ///< a session is shown as it was left, but for an inspection that may still run
+    void restored();  ///< a session is shown as it was left, but for an inspection and regions that are found again
     void autosaved();
 
 private:
     void buildMenu();
     void changed();
+    void moved();
     void documentOpened();
     void restoreInspection(const Session& session);
+    void restoreRegions(const Session& session);
     void checkVoxels(const std::string& expected);
     void offerRecovery();
     void askForData(Session session, const QString& file);
@@ -54,15 +61,21 @@ private:
 
     Workbench& bench_;
     InspectionFeature& inspection_;
+    RegionsFeature& regions_;
     std::optional<Session> pending_;  ///< waits for its data
     QString pending_file_;
     QString file_;        ///< where the open session was saved or came from; empty: nowhere yet
     std::string sha256_;  ///< of the open volume; empty: not known yet
     bool dirty_ = false;
     QTimer autosave_timer_;
-    QElapsedTimer since_autosave_;
+    QElapsedTimer since_autosave_, since_change_;
     QString autosave_file_;
     std::unique_ptr<QLockFile> lock_;  ///< tells other windows that the autosave's owner is alive
+    struct Found {
+        Session session;
+        bool data_there = false;
+    };
+    LatestJob<Found> read_;
     LatestJob<std::string> hash_;
     LatestJob<bool> write_;
     Task<QString> save_;

@@ -10,6 +10,10 @@
 
 namespace lacuna::ui {
 
+namespace {
+constexpr Connectivity k_connectivities[] = {Connectivity::c6, Connectivity::c18, Connectivity::c26};
+}
+
 RegionsPanel::RegionsPanel(QWidget* parent)
     : QWidget(parent),
       model_(new RegionModel(this)),
@@ -114,6 +118,7 @@ void RegionsPanel::showMethod() {
 
 void RegionsPanel::setVolume(const Volume& volume, std::shared_ptr<const VolumeStatistics> statistics) {
     statistics_ = std::move(statistics);
+    kept_ = {};
     const ValueSteps steps = ValueSteps::of(statistics_->range);
     for (QDoubleSpinBox* end : {lo_, hi_}) {
         end->setDecimals(steps.decimals);
@@ -145,15 +150,30 @@ void RegionsPanel::takeRange() {
 }
 
 RegionOptions RegionsPanel::options() const {
-    RegionOptions options;
+    RegionOptions options = kept_;
+    options.threshold.reset();
+    options.range_width.reset();
     if (method_->currentIndex() == 0)
         options.threshold = ValueRange{std::min(lo_->value(), hi_->value()), std::max(lo_->value(), hi_->value())};
     else
         options.range_width = width_->value() / 100;
-    static constexpr Connectivity k_choices[] = {Connectivity::c6, Connectivity::c18, Connectivity::c26};
-    options.connectivity = k_choices[connectivity_->currentIndex()];
+    options.connectivity = k_connectivities[connectivity_->currentIndex()];
     options.min_voxels = min_voxels_->value();
     return options;
+}
+
+void RegionsPanel::setOptions(const RegionOptions& options) {
+    kept_ = options;
+    method_->setCurrentIndex(options.threshold ? 0 : 1);
+    if (options.threshold) {
+        lo_->setValue(options.threshold->lo);
+        hi_->setValue(options.threshold->hi);
+    } else if (options.range_width) {
+        width_->setValue(100 * *options.range_width);
+    }
+    for (int i = 0; i < int(std::size(k_connectivities)); ++i)
+        if (k_connectivities[i] == options.connectivity) connectivity_->setCurrentIndex(i);
+    min_voxels_->setValue(int(std::min<std::int64_t>(options.min_voxels, min_voxels_->maximum())));
 }
 
 void RegionsPanel::setTable(std::shared_ptr<const RegionTable> table) {

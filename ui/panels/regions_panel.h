@@ -25,6 +25,8 @@ public:
     void setTable(std::shared_ptr<const lacuna::RegionTable> table);
     void setRunning(bool running);
     lacuna::RegionOptions options() const;
+    /// Asks as those options do; what the panel has no field for stays part of options().
+    void setOptions(const lacuna::RegionOptions& options);
     QTableView* table() const { return view_; }
     QPushButton* computeButton() const { return compute_; }
     RegionModel* model() const { return model_; }
@@ -41,6 +43,7 @@ private:
 
     std::shared_ptr<const VolumeStatistics> statistics_;
     ViewSettings settings_;
+    RegionOptions kept_;  ///< of setOptions(): what has no field here
     RegionModel* model_;
     QSortFilterProxyModel* sorted_;
     QComboBox *method_, *connectivity_;

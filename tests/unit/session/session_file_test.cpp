@@ -141,6 +141,8 @@ TEST(SettingsJson, WhatCannotBeIsRefusedByName) {
               std::string::npos);
 }
 
+const std::string k_function = R"({"name":"x","points":[{"value":0,"color":[1,1,1],"opacity":0}]})";
+
 class SessionFile : public testing::Test {
 protected:
     void SetUp() override {
@@ -164,6 +166,14 @@ protected:
         session.cursor_mm = {4, 5, 6};
         session.criteria = R"({"material":"auto"})";
         session.decisions = {{3, false, "Riss, kein Lunker"}};
+        session.regions = SessionRegions{};
+        session.regions->options.threshold = ValueRange{-2.5, 1.0 / 3};
+        session.regions->options.connectivity = Connectivity::c18;
+        session.regions->options.min_voxels = 77;
+        session.regions->options.gradient_limit = 12.5;
+        session.regions->options.merge_slivers = true;
+        session.regions->computed = true;
+        session.regions->selected = 4;
         return session;
     }
     std::filesystem::path folder;
@@ -186,6 +196,23 @@ TEST_F(SessionFile, ComesBackTheSame) {
     EXPECT_EQ(back.decisions[0].defect, 3u);
     EXPECT_FALSE(back.decisions[0].accepted);
     EXPECT_EQ(back.decisions[0].reason, "Riss, kein Lunker");
+    ASSERT_TRUE(back.regions);
+    EXPECT_EQ(back.regions->options.threshold, session.regions->options.threshold);
+    EXPECT_FALSE(back.regions->options.range_width);
+    EXPECT_FALSE(back.regions->options.background);
+    EXPECT_EQ(back.regions->options.connectivity, Connectivity::c18);
+    EXPECT_EQ(back.regions->options.min_voxels, 77);
+    EXPECT_EQ(back.regions->options.gradient_limit, 12.5);
+    EXPECT_TRUE(back.regions->options.merge_slivers);
+    EXPECT_TRUE(back.regions->computed);
+    EXPECT_EQ(back.regions->selected, 4u);
+}
+
+TEST_F(SessionFile, OfTheFirstVersionIsRead) {
+    write_file(folder / "old.lacuna", "{\"lacuna_session\":1,\"settings\":{\"iso\":7,\"tf\":" + k_function + "}}");
+    const Session old = load_session(folder / "old.lacuna");
+    EXPECT_EQ(old.settings.iso, 7);
+    EXPECT_FALSE(old.regions);
 }
 
 TEST_F(SessionFile, FindsDataThatMovedWithIt) {
@@ -210,8 +237,13 @@ TEST_F(SessionFile, RefusesWhatIsNone) {
     };
     EXPECT_NE(complaint("{}").find("no session"), std::string::npos);
     EXPECT_NE(complaint("[1]").find("no session"), std::string::npos);
-    EXPECT_NE(complaint("{\"lacuna_session\":2}").find("newer"), std::string::npos);
+    EXPECT_NE(complaint("{\"lacuna_session\":3}").find("newer"), std::string::npos);
     EXPECT_NE(complaint("{\"lacuna_session\":1,\"colour\":2}").find("'colour'"), std::string::npos);
+    const auto with_regions = [&](const std::string& regions) {
+        return "{\"lacuna_session\":2,\"settings\":{\"tf\":" + k_function + "},\"regions\":" + regions + "}";
+    };
+    EXPECT_NE(complaint(with_regions("{}")).find("exactly one"), std::string::npos);
+    EXPECT_NE(complaint(with_regions("{\"range_width\":0.1,\"connectivity\":7}")).find("18"), std::string::npos);
     EXPECT_NE(complaint("").find("cut short"), std::string::npos);
     EXPECT_THROW(load_session(folder / "none.lacuna"), Error);
 }
