@@ -68,8 +68,12 @@ TEST(Translations, HoldEveryTextOfTheSources) {
     for (const QString& code : Language::codes()) {
         const QString copy = folder.filePath(code + QStringLiteral(".ts"));
         ASSERT_TRUE(QFile::copy(ts_file(code), copy));
-        QStringList words{QStringLiteral("-I"), QStringLiteral(LACUNA_SOURCE_DIR),
-                          QStringLiteral(LACUNA_SOURCE_DIR "/ui"), QStringLiteral("-ts"), copy};
+        QStringList words{QStringLiteral("-I"),
+                          QStringLiteral(LACUNA_SOURCE_DIR),
+                          QStringLiteral(LACUNA_SOURCE_DIR "/ui"),
+                          QStringLiteral(LACUNA_SOURCE_DIR "/core/accuracy/limits_catalogue.cpp"),
+                          QStringLiteral("-ts"),
+                          copy};
         if (code == QLatin1String("en")) words.prepend(QStringLiteral("-pluralonly"));
         ASSERT_EQ(QProcess::execute(QStringLiteral(LACUNA_LUPDATE), QStringList{QStringLiteral("-silent")} + words), 0);
         for (const Message& message : read_messages(copy))
