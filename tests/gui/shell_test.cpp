@@ -1,5 +1,4 @@
 // What holds the window together: commands and their keys, palette, sheet, layout, settings, log.
-#include <QAccessible>
 #include <QClipboard>
 #include <QComboBox>
 #include <QMenuBar>
@@ -345,25 +344,6 @@ TEST(About, NamesWhatTheProgramIsMadeOf) {
     for (const QLabel* label : about.findChildren<QLabel*>())
         notice = notice || label->text().contains(QStringLiteral("Not a medical device"));
     EXPECT_TRUE(notice);
-}
-
-TEST_F(ShellTest, EveryControlOfTheDialogsHasAName) {
-    SettingsDialog settings;
-    LogWindow log_window;
-    ShortcutSheet sheet(catalog(), nullptr);
-    AboutDialog about(version_rows({}, {}), nullptr);
-    CommandPalette palette(catalog(), nullptr);
-    for (QDialog* dialog : std::initializer_list<QDialog*>{&settings, &log_window, &sheet, &about, &palette})
-        for (QWidget* widget : dialog->findChildren<QWidget*>()) {
-            if (widget->focusPolicy() == Qt::NoFocus || widget->window() != dialog ||
-                widget->objectName().startsWith(QStringLiteral("qt_")) || qobject_cast<QTabBar*>(widget))
-                continue;
-            if (widget->inherits("QHeaderView") || widget->inherits("QTableCornerButton")) continue;
-            QAccessibleInterface* face = QAccessible::queryAccessibleInterface(widget);
-            ASSERT_NE(face, nullptr);
-            EXPECT_FALSE(face->text(QAccessible::Name).isEmpty())
-                << dialog->windowTitle().toStdString() << ": " << widget->metaObject()->className();
-        }
 }
 
 }  // namespace

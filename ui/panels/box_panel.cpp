@@ -27,8 +27,7 @@ BoxPanel::BoxPanel(QWidget* parent)
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setColumnStretch(1, 1);
-    grid->addWidget(enabled_, 0, 0, 1, 2);
-    grid->addWidget(whole_, 0, 2);
+    grid->addWidget(enabled_, 0, 0, 1, 3);
     enabled_->setAccessibleName(tr("Show a box of the volume alone"));
     enabled_->setToolTip(tr("Cuts away what lies outside the box; drag its sides in the 3D view"));
     cap_->setAccessibleName(tr("Show data values on the box's sides"));
@@ -56,6 +55,7 @@ BoxPanel::BoxPanel(QWidget* parent)
         });
     }
     grid->addWidget(cap_, 4, 0, 1, 3);
+    grid->addWidget(whole_, 5, 0, 1, 3, Qt::AlignLeft);
     connect(enabled_, &QCheckBox::toggled, this,
             [this](bool on) { edit(tr("Switch the box"), [on](BoxRoi& box) { box.enabled = on; }); });
     connect(cap_, &QCheckBox::toggled, this,

@@ -62,7 +62,7 @@ int paint_scale(QPainter& painter, const QRect& inner, double pixels_per_mm) {
     }
     draw_words(painter, QRectF(middle - 60, y - 5 - metrics.height(), 120, metrics.height()), Qt::AlignCenter,
                length.name, theme::k_text);
-    return metrics.height() + 10;
+    return metrics.height() + 15;  // the side's letter is no part of the bar's label
 }
 
 }  // namespace
