@@ -124,6 +124,8 @@ public:
             leaf(path, [&value](RandomValues&) { value = !value; });
         else if constexpr (std::is_enum_v<T>)
             leaf(path, [&value](RandomValues& draw) { value = T(draw.below(count_of(value))); });
+        else if constexpr (std::is_integral_v<T>)
+            leaf(path, [&value](RandomValues& draw) { value = T(draw.below(4)); });
         else if constexpr (std::is_floating_point_v<T>)
             leaf(path, [&value, path](RandomValues& draw) { value = number(path, draw); });
         else if constexpr (std::is_same_v<T, std::string>)
