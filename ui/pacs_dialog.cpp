@@ -70,7 +70,9 @@ PacsDialog::PacsDialog(TaskList* tasks, QWidget* parent)
     column->addWidget(status_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     retrieve_ = buttons->addButton(tr("&Retrieve and open…"), QDialogButtonBox::ActionRole);
-    retrieve_->setToolTip(tr("Copies the chosen series, or the whole study, into a folder and opens it (C-GET)"));
+    retrieve_->setToolTip(
+        tr("Copies the chosen series, or the whole study, into a folder and opens it (C-GET, or C-MOVE where the "
+           "server is set to)"));
     send_ = buttons->addButton(tr("&Send files…"), QDialogButtonBox::ActionRole);
     send_->setToolTip(tr("Sends DICOM files, such as segmentations, reports and captures, to the server (C-STORE)"));
     for (QPushButton* button : {retrieve_, send_}) button->setAutoDefault(false);
@@ -309,6 +311,7 @@ void PacsDialog::retrieve(const QString& folder) {
                 const PacsTransfer& transfer = std::get<0>(outcome);
                 QString words = tr("%n files retrieved.", nullptr, transfer.done);
                 if (transfer.failed > 0) words += tr(" The server could not send %n.", nullptr, transfer.failed);
+                if (!transfer.fault.empty()) words += tr(" It is not all: %1").arg(text(transfer.fault));
                 status_->setText(words);
                 Q_EMIT retrieved(folder);
             }

@@ -34,6 +34,10 @@ std::vector<PacsServer> kept_pacs_servers() {
         server.tls.trusted = word("trusted");
         server.tls.certificate = word("certificate");
         server.tls.key = word("key");
+        server.receiver.on = settings.value(QStringLiteral("move"), false).toBool();
+        server.receiver.address =
+            settings.value(QStringLiteral("move_address"), text(PacsReceiver{}.address)).toString().toStdString();
+        server.receiver.port = settings.value(QStringLiteral("move_port"), PacsReceiver{}.port).toInt();
         servers.push_back(std::move(server));
     }
     settings.endArray();
@@ -60,6 +64,9 @@ void keep_pacs_servers(const std::vector<PacsServer>& servers) {
         put("trusted", server.tls.trusted.string());
         put("certificate", server.tls.certificate.string());
         put("key", server.tls.key.string());
+        settings.setValue(QStringLiteral("move"), server.receiver.on);
+        put("move_address", server.receiver.address);
+        settings.setValue(QStringLiteral("move_port"), server.receiver.port);
     }
     settings.endArray();
 }
@@ -75,7 +82,10 @@ PacsServerDialog::PacsServerDialog(const PacsServer& server, QWidget* parent)
       tls_(new QCheckBox(tr("&Secure connection (TLS)"), this)),
       trusted_(file(server.tls.trusted, tr("Trusted certificates"))),
       certificate_(file(server.tls.certificate, tr("Own certificate"))),
-      key_(file(server.tls.key, tr("Own private key"))) {
+      key_(file(server.tls.key, tr("Own private key"))),
+      move_(new QCheckBox(tr("&Retrieve by C-MOVE"), this)),
+      move_address_(new QLineEdit(text(server.receiver.address), this)),
+      move_port_(new QSpinBox(this)) {
     setWindowTitle(tr("DICOM server"));
     resize(460, 0);
     auto* form = new QFormLayout(this);
@@ -102,10 +112,33 @@ PacsServerDialog::PacsServerDialog(const PacsServer& server, QWidget* parent)
     };
     connect(tls_, &QCheckBox::toggled, this, allow);
     allow(server.tls.on);
+    addReceiver(form, server.receiver);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     form->addRow(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+void PacsServerDialog::addReceiver(QFormLayout* form, const PacsReceiver& receiver) {
+    move_->setChecked(receiver.on);
+    move_->setToolTip(tr(
+        "For servers that know no C-GET: during a retrieval a port of this computer is open, which takes images from "
+        "this server's AE title alone. The server has to know our AE title, the address and the port."));
+    move_address_->setAccessibleName(tr("Address to receive at"));
+    move_address_->setToolTip(
+        tr("One of this computer's addresses; 127.0.0.1 takes only what comes from this computer itself"));
+    move_port_->setAccessibleName(tr("Port to receive at"));
+    move_port_->setRange(1, 65535);
+    move_port_->setValue(receiver.port);
+    form->addRow(move_);
+    form->addRow(tr("Receive at a&ddress"), move_address_);
+    form->addRow(tr("Recei&ve at port"), move_port_);
+    const auto allow = [this](bool on) {
+        move_address_->setEnabled(on);
+        move_port_->setEnabled(on);
+    };
+    connect(move_, &QCheckBox::toggled, this, allow);
+    allow(receiver.on);
 }
 
 QLineEdit* PacsServerDialog::file(const std::filesystem::path& now, const QString& name) {
@@ -135,6 +168,9 @@ PacsServer PacsServerDialog::server() const {
     server.tls.trusted = trusted_->text().trimmed().toStdString();
     server.tls.certificate = certificate_->text().trimmed().toStdString();
     server.tls.key = key_->text().trimmed().toStdString();
+    server.receiver.on = move_->isChecked();
+    server.receiver.address = move_address_->text().trimmed().toStdString();
+    server.receiver.port = move_port_->value();
     return server;
 }
 

@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QDialog>
+#include <QFormLayout>
 #include <QLineEdit>
 #include <QSpinBox>
 #include <vector>
@@ -22,6 +23,7 @@ public:
     PacsServer server() const;
 
 private:
+    void addReceiver(QFormLayout* form, const PacsReceiver& receiver);
     QLineEdit* file(const std::filesystem::path& now, const QString& name);
 
     QLineEdit* name_;
@@ -34,6 +36,9 @@ private:
     QLineEdit* trusted_;
     QLineEdit* certificate_;
     QLineEdit* key_;
+    QCheckBox* move_;
+    QLineEdit* move_address_;
+    QSpinBox* move_port_;
 };
 
 }  // namespace lacuna::ui

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "core/base/atomic_folder.h"
 #include "core/base/error.h"
 #include "core/io/dicom_header.h"
 #include "core/io/dicom_tags.h"
@@ -14,50 +13,11 @@
 namespace lacuna {
 
 namespace fs = std::filesystem;
+using dicom::ask;
 using dicom::PacsConnection;
 using dicom::text_of;
 
 namespace {
-
-/// The kinds of objects C-GET asks for. Images in several codings, a context each: of one context with all, the server
-/// would take a single coding and have to convert the rest.
-const char* const k_images[] = {UID_CTImageStorage,
-                                UID_EnhancedCTImageStorage,
-                                UID_LegacyConvertedEnhancedCTImageStorage,
-                                UID_MRImageStorage,
-                                UID_EnhancedMRImageStorage,
-                                UID_PositronEmissionTomographyImageStorage,
-                                UID_ComputedRadiographyImageStorage,
-                                UID_DigitalXRayImageStorageForPresentation,
-                                UID_XRay3DAngiographicImageStorage,
-                                UID_NuclearMedicineImageStorage,
-                                UID_SecondaryCaptureImageStorage,
-                                UID_MultiframeGrayscaleWordSecondaryCaptureImageStorage};
-const char* const k_others[] = {UID_SegmentationStorage,    UID_EnhancedSRStorage,
-                                UID_ComprehensiveSRStorage, UID_Comprehensive3DSRStorage,
-                                UID_BasicTextSRStorage,     UID_RTDoseStorage,
-                                UID_RTStructureSetStorage,  UID_GrayscaleSoftcopyPresentationStateStorage};
-const char* const k_packed[] = {UID_JPEGProcess14SV1TransferSyntax,     UID_JPEGLSLosslessTransferSyntax,
-                                UID_JPEG2000LosslessOnlyTransferSyntax, UID_RLELosslessTransferSyntax,
-                                UID_JPEGProcess2_4TransferSyntax,       UID_JPEG2000TransferSyntax};
-
-OFList<OFString> plain_syntaxes() {
-    OFList<OFString> syntaxes;
-    syntaxes.push_back(UID_LittleEndianExplicitTransferSyntax);
-    syntaxes.push_back(UID_LittleEndianImplicitTransferSyntax);
-    return syntaxes;
-}
-
-OFList<OFString> one_syntax(const char* uid) {
-    OFList<OFString> syntaxes;
-    syntaxes.push_back(uid);
-    return syntaxes;
-}
-
-void check_uid(const std::string& uid) {
-    const bool sound = !uid.empty() && uid.size() <= 64 && uid.find_first_not_of("0123456789.") == std::string::npos;
-    if (!sound) throw Error(Errc::bad_usage, "'" + uid + "' is no unique identifier of a study or series.");
-}
 
 /// A query's value: a backslash would part it into several.
 std::string plain(std::string text) {
@@ -71,10 +31,6 @@ std::string date_range(const PacsQuery& query) {
             throw Error(Errc::bad_usage, "The date '" + date + "' is none; write YYYYMMDD.");
     if (query.date_from.empty() && query.date_to.empty()) return {};
     return query.date_from == query.date_to ? query.date_from : query.date_from + "-" + query.date_to;
-}
-
-void ask(DcmDataset& keys, const DcmTagKey& tag, const std::string& value = {}) {
-    keys.putAndInsertString(tag, value.c_str());
 }
 
 int number(DcmDataset& set, const DcmTagKey& tag) {
@@ -100,7 +56,7 @@ template <class Row, class Read>
 PacsAnswer<Row> find(const PacsServer& server, DcmDataset& keys, Read&& read, const JobContext& job) {
     PacsConnection connection(server, job);
     const OFString sop_class = UID_FINDStudyRootQueryRetrieveInformationModel;
-    connection.propose(sop_class, plain_syntaxes());
+    connection.propose(sop_class, dicom::plain_syntaxes());
     connection.connect();
     const auto context = connection.accepted(sop_class, "searching (C-FIND by the study root)");
     OFList<QRResponse*> responses;
@@ -125,16 +81,6 @@ PacsAnswer<Row> find(const PacsServer& server, DcmDataset& keys, Read&& read, co
     return answer;
 }
 
-/// Writes what C-GET brings, by number: names the server gives are not used.
-bool write_object(DcmDataset& set, const fs::path& file) {
-    DcmFileFormat format(&set, OFFalse);
-    const OFCondition saved = format.saveFile(file.c_str(), set.getOriginalXfer(), EET_ExplicitLength);
-    (void)format.getAndRemoveDataset();
-    std::error_code ec;
-    return saved.good() &&
-           fs::file_size(file, ec) >= set.calcElementLength(set.getOriginalXfer(), EET_ExplicitLength) && !ec;
-}
-
 /// What a file is and how it is coded, from its header.
 struct Outgoing {
     fs::path file;
@@ -157,7 +103,7 @@ Outgoing outgoing(const fs::path& file) {
 
 void pacs_echo(const PacsServer& server, const JobContext& job) {
     PacsConnection connection(server, job);
-    connection.propose(UID_VerificationSOPClass, plain_syntaxes());
+    connection.propose(UID_VerificationSOPClass, dicom::plain_syntaxes());
     connection.connect();
     connection.require(connection.sendECHORequest(connection.accepted(UID_VerificationSOPClass, "C-ECHO")));
     connection.close();
@@ -195,7 +141,7 @@ PacsAnswer<PacsStudy> find_pacs_studies(const PacsServer& server, const PacsQuer
 }
 
 PacsAnswer<PacsSeries> find_pacs_series(const PacsServer& server, const std::string& study_uid, const JobContext& job) {
-    check_uid(study_uid);
+    dicom::check_uid(study_uid);
     DcmDataset keys;
     ask(keys, DCM_QueryRetrieveLevel, "SERIES");
     ask(keys, DCM_StudyInstanceUID, study_uid);
@@ -212,57 +158,6 @@ PacsAnswer<PacsSeries> find_pacs_series(const PacsServer& server, const std::str
         job);
 }
 
-PacsTransfer retrieve_from_pacs(const PacsServer& server, const std::string& study_uid, const std::string& series_uid,
-                                const fs::path& folder, const JobContext& job) {
-    check_uid(study_uid);
-    if (!series_uid.empty()) check_uid(series_uid);
-    AtomicFolder output(folder);
-    PacsConnection connection(server, job);
-    const OFString sop_class = UID_GETStudyRootQueryRetrieveInformationModel;
-    connection.propose(sop_class, plain_syntaxes());
-    for (const char* image : k_images) {
-        connection.propose(image, plain_syntaxes(), true);
-        for (const char* packed : k_packed) connection.propose(image, one_syntax(packed), true);
-    }
-    for (const char* other : k_others) connection.propose(other, plain_syntaxes(), true);
-    connection.connect();
-    const auto context = connection.accepted(sop_class, "retrieving (C-GET by the study root)");
-
-    PacsTransfer transfer;
-    bool disk_full = false;
-    connection.on_object = [&](DcmDataset& set) {
-        const bool kept = write_object(set, output.path() / fmt::format("IM{:05d}.dcm", transfer.done + 1));
-        if (kept) ++transfer.done;
-        disk_full = disk_full || !kept;
-        return kept;
-    };
-    connection.on_progress = [&](int remaining, int done, int failed) {
-        const int all = remaining + done + failed;
-        if (job.progress && all > 0) job.progress(double(done + failed) / all);
-    };
-    DcmDataset keys;
-    ask(keys, DCM_QueryRetrieveLevel, series_uid.empty() ? "STUDY" : "SERIES");
-    ask(keys, DCM_StudyInstanceUID, study_uid);
-    if (!series_uid.empty()) ask(keys, DCM_SeriesInstanceUID, series_uid);
-    OFList<RetrieveResponse*> responses;
-    const OFCondition done = connection.sendCGETRequest(context, &keys, &responses);
-    std::vector<std::unique_ptr<RetrieveResponse>> held;
-    for (RetrieveResponse* response : responses) held.emplace_back(response);
-    if (disk_full)
-        throw Error(Errc::io, "Cannot write what the server sends to " + folder.string() +
-                                  ": the disk is full or the file size is limited; nothing was kept.");
-    connection.require(done);
-    const unsigned status = held.empty() ? 0 : held.back()->m_status;
-    if (!held.empty()) transfer.failed = held.back()->m_numberOfFailedSubops;
-    if (transfer.done == 0) {
-        connection.require_status(status, "retrieval (C-GET)");
-        throw Error(Errc::io, "The server sent nothing for this; it may have been removed there.");
-    }
-    connection.close();
-    output.commit();
-    return transfer;
-}
-
 PacsTransfer send_to_pacs(const PacsServer& server, const std::vector<fs::path>& files, const JobContext& job) {
     dicom::prepare_dcmtk();
     if (files.empty()) throw Error(Errc::bad_input, "There is nothing to send.");
@@ -275,8 +170,8 @@ PacsTransfer send_to_pacs(const PacsServer& server, const std::vector<fs::path>&
     }
     PacsConnection connection(server, job);
     for (const auto& [sop_class, syntax] : kinds) {
-        connection.propose(sop_class.c_str(), one_syntax(syntax.c_str()));
-        if (!DcmXfer(syntax.c_str()).isEncapsulated()) connection.propose(sop_class.c_str(), plain_syntaxes());
+        connection.propose(sop_class.c_str(), dicom::one_syntax(syntax.c_str()));
+        if (!DcmXfer(syntax.c_str()).isEncapsulated()) connection.propose(sop_class.c_str(), dicom::plain_syntaxes());
     }
     connection.connect();
     PacsTransfer transfer;

@@ -17,6 +17,15 @@ struct PacsTls {
     friend bool operator==(const PacsTls&, const PacsTls&) = default;
 };
 
+/// Where C-MOVE has the server send to: a port of this computer that is open during the retrieval alone, takes images
+/// from the server's AE title alone, and keeps those that were asked for.
+struct PacsReceiver {
+    bool on = false;                    ///< retrieve by C-MOVE; else by C-GET, which opens no port
+    std::string address = "127.0.0.1";  ///< of this computer, name or IPv4 address; the port is bound to it alone
+    int port = 11112;                   ///< the server has to know this program's title, address and port
+    friend bool operator==(const PacsReceiver&, const PacsReceiver&) = default;
+};
+
 /// A DICOM server (PACS) as a person configures it.
 struct PacsServer {
     std::string name;  ///< for people
@@ -26,6 +35,7 @@ struct PacsServer {
     std::string calling_aet = "LACUNA";  ///< this program's, which the server may have to know
     int timeout_s = 30;                  ///< how long to wait for an answer; at most 10 s for the connection itself
     PacsTls tls;
+    PacsReceiver receiver;
     friend bool operator==(const PacsServer&, const PacsServer&) = default;
 };
 
@@ -55,6 +65,7 @@ inline constexpr std::size_t k_most_pacs_rows = 1000;
 
 struct PacsTransfer {
     int done = 0, failed = 0;
+    std::string fault;  ///< why it ended before its end, one sentence; empty: it did not
 };
 
 // Every call opens an association of its own and ends it. All throw Error(bad_usage) for a server that cannot be (AE
@@ -69,9 +80,11 @@ PacsAnswer<PacsStudy> find_pacs_studies(const PacsServer& server, const PacsQuer
 PacsAnswer<PacsSeries> find_pacs_series(const PacsServer& server, const std::string& study_uid,
                                         const JobContext& job = {});
 
-/// C-GET of a series, or of a whole study where `series_uid` is empty, into a folder that must not exist yet or be
-/// empty; it appears whole, or, where the server could not send everything, with what came. Images come in the coding
-/// they are stored in, where it is one this program reads. @throws Error(io) also where nothing came
+/// Retrieves a series, or a whole study where `series_uid` is empty, by C-GET, or by C-MOVE where the server is set to,
+/// into a folder that must not exist yet or be empty. It appears whole, or, where the server could not send everything,
+/// fell silent or broke off, with what came; not at all where the job is cancelled. Images come in the coding they are
+/// stored in, where it is one this program reads. @throws Error(io) also where nothing came, or the receiver's port
+/// cannot be opened
 PacsTransfer retrieve_from_pacs(const PacsServer& server, const std::string& study_uid, const std::string& series_uid,
                                 const std::filesystem::path& folder, const JobContext& job = {});
 

@@ -1,8 +1,6 @@
 #include "core/io/pacs_connection.h"
 
 #include <dcmtk/dcmnet/dcmtrans.h>
-#include <dcmtk/dcmtls/tlslayer.h>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <netdb.h>
 #include <poll.h>
@@ -23,32 +21,6 @@ namespace {
 constexpr int k_longest_connect_s = 10, k_poll_ms = 50;
 constexpr unsigned k_largest_pdu = 131072;
 
-/// A layer whose connections are watched; plain, although DcmSCU calls every layer secure.
-class WatchedLayer final : public DcmTransportLayer {
-public:
-    explicit WatchedLayer(std::shared_ptr<SocketWatch> watch) : watch_(std::move(watch)) {}
-    DcmTransportConnection* createConnection(DcmNativeSocketType socket, OFBool) override {
-        watch_->watch(socket);
-        return DcmTransportLayer::createConnection(socket, OFFalse);
-    }
-
-private:
-    std::shared_ptr<SocketWatch> watch_;
-};
-
-class WatchedTlsLayer final : public DcmTLSTransportLayer {
-public:
-    explicit WatchedTlsLayer(std::shared_ptr<SocketWatch> watch)
-        : DcmTLSTransportLayer(NET_REQUESTOR, nullptr, OFTrue), watch_(std::move(watch)) {}
-    DcmTransportConnection* createConnection(DcmNativeSocketType socket, OFBool secure) override {
-        watch_->watch(socket);
-        return DcmTLSTransportLayer::createConnection(socket, secure);
-    }
-
-private:
-    std::shared_ptr<SocketWatch> watch_;
-};
-
 bool is_title(const std::string& title) {
     return !title.empty() && title.size() <= 16 &&
            std::all_of(title.begin(), title.end(), [](char c) { return c > 32 && c < 127 && c != '\\'; });
@@ -64,34 +36,36 @@ void check_server(const PacsServer& server) {
         if (!is_title(title))
             refuse("The AE title '" + title + "' is none: 1 to 16 characters without spaces and backslashes.");
     if (server.timeout_s < 1) refuse("The time to wait for the server must be a second at least.");
-}
-
-std::string place_of(const PacsServer& server) { return server.host + " port " + std::to_string(server.port); }
-
-/// One line without control characters.
-std::string one_line(const char* text) {
-    std::string line;
-    for (; text && *text && line.size() < 200; ++text) line += *text >= ' ' && *text < 127 ? *text : ' ';
-    return line;
+    if (!server.receiver.on) return;
+    if (server.receiver.address.empty()) refuse("The receiver has no address of this computer; 127.0.0.1 is only it.");
+    if (server.receiver.port < 1 || server.receiver.port > 65535)
+        refuse("The receiver's port " + std::to_string(server.receiver.port) + " is none; ports are 1 to 65535.");
 }
 
 }  // namespace
 
-SocketWatch::~SocketWatch() {
-    if (copy_ >= 0) ::close(copy_);
+std::string place_of(const PacsServer& server) { return server.host + " port " + std::to_string(server.port); }
+
+void check_uid(const std::string& uid) {
+    const bool sound = !uid.empty() && uid.size() <= 64 && uid.find_first_not_of("0123456789.") == std::string::npos;
+    if (!sound) throw Error(Errc::bad_usage, "'" + uid + "' is no unique identifier of a study or series.");
 }
 
-void SocketWatch::watch(int socket) {
-    const std::lock_guard lock(mutex_);
-    if (copy_ >= 0) ::close(copy_);
-    copy_ = ::fcntl(socket, F_DUPFD_CLOEXEC, 0);
-    if (down_) ::shutdown(copy_, SHUT_RDWR);
+OFList<OFString> plain_syntaxes() {
+    OFList<OFString> syntaxes;
+    syntaxes.push_back(UID_LittleEndianExplicitTransferSyntax);
+    syntaxes.push_back(UID_LittleEndianImplicitTransferSyntax);
+    return syntaxes;
 }
 
-void SocketWatch::shut_down() {
-    const std::lock_guard lock(mutex_);
-    down_ = true;
-    if (copy_ >= 0) ::shutdown(copy_, SHUT_RDWR);
+OFList<OFString> one_syntax(const char* uid) {
+    OFList<OFString> syntaxes;
+    syntaxes.push_back(uid);
+    return syntaxes;
+}
+
+void ask(DcmDataset& keys, const DcmTagKey& tag, const std::string& value) {
+    keys.putAndInsertString(tag, value.c_str());
 }
 
 PacsConnection::PacsConnection(const PacsServer& server, const JobContext& job)
@@ -154,48 +128,30 @@ void PacsConnection::probe() const {
     throw Error(Errc::io, place_of(server_) + " cannot be reached: " + std::strerror(fault) + ".");
 }
 
-void PacsConnection::secure() {
-    if (!server_.tls.on) {
-        layer_ = std::make_unique<WatchedLayer>(watch_);
-        require(useSecureConnection(layer_.get()));
-        return;
-    }
-    const PacsTls& tls = server_.tls;
-    auto layer = std::make_unique<WatchedTlsLayer>(watch_);
-    const auto need = [](const OFCondition& done, const std::string& what) {
-        if (done.bad()) throw Error(Errc::bad_usage, what);
-    };
-    need(layer->setTLSProfile(TSP_Profile_BCP195_ND),
-         "This system's TLS library does not offer the ciphers of BCP 195.");
-    need(layer->activateCipherSuites(), "This system's TLS library does not offer the ciphers of BCP 195.");
-    if (tls.trusted.empty())
-        throw Error(Errc::bad_usage, "A secure connection needs the certificates to trust; name their PEM file.");
-    need(layer->addTrustedCertificateFile(tls.trusted.c_str(), DCF_Filetype_PEM),
-         "Cannot read trusted certificates from " + tls.trusted.string() + "; it must be a PEM file.");
-    if (!tls.certificate.empty()) {
-        need(layer->setPrivateKeyFile(tls.key.c_str(), DCF_Filetype_PEM),
-             "Cannot read a private key from " + tls.key.string() + "; it must be a PEM file without a password.");
-        need(layer->setCertificateFile(tls.certificate.c_str(), DCF_Filetype_PEM),
-             "Cannot read a certificate from " + tls.certificate.string() + "; it must be a PEM file.");
-        if (!layer->checkPrivateKeyMatchesCertificate())
-            throw Error(Errc::bad_usage,
-                        "The private key " + tls.key.string() + " does not belong to the certificate.");
-    }
-    layer->setCertificateVerification(DCV_requireCertificate);
-    layer_ = std::move(layer);
-    require(useSecureConnection(layer_.get()));
-}
-
 void PacsConnection::connect() {
     job_.check();
     probe();
-    require(initNetwork());
-    secure();
+    {
+        const ReadingAsBefore before;
+        require(initNetwork());
+    }
+    layer_ = make_transport(server_.tls, false, watch_);
+    require(useSecureConnection(layer_.get()));
     require(negotiateAssociation());
 }
 
 void PacsConnection::close() {
     if (isConnected()) releaseAssociation();
+}
+
+void PacsConnection::be_patient() {
+    constexpr Uint32 k_a_day = 86400;
+    setDIMSETimeout(k_a_day);
+}
+
+void PacsConnection::give_up() {
+    silent_ = true;
+    watch_->shut_down();
 }
 
 T_ASC_PresentationContextID PacsConnection::accepted(const OFString& sop_class, const std::string& service) {
@@ -222,7 +178,7 @@ void PacsConnection::fail(const OFCondition& condition) const {
                                 place, server_.called_aet, server_.calling_aet));
     if (condition == NET_EC_NoAcceptablePresentationContexts || condition == NET_EC_NoPresentationContextsDefined)
         throw Error(Errc::io, "The server " + place + " offers none of the DICOM services asked for.");
-    if (condition == DIMSE_NODATAAVAILABLE || condition == DUL_READTIMEOUT)
+    if (silent_ || condition == DIMSE_NODATAAVAILABLE || condition == DUL_READTIMEOUT)
         throw Error(Errc::io, fmt::format("The server {} fell silent for {} s; try again, or allow it more time.",
                                           place, server_.timeout_s));
     const std::string text = one_line(condition.text());
@@ -271,13 +227,23 @@ OFCondition PacsConnection::handleSTORERequest(const T_ASC_PresentationContextID
     return EC_Normal;
 }
 
-OFCondition PacsConnection::handleCGETResponse(const T_ASC_PresentationContextID id, RetrieveResponse* response,
-                                               OFBool& go_on) {
+void PacsConnection::report(const RetrieveResponse* response) const {
     if (response && on_progress)
         on_progress(response->m_numberOfRemainingSubops,
                     response->m_numberOfCompletedSubops + response->m_numberOfWarningSubops,
                     response->m_numberOfFailedSubops);
+}
+
+OFCondition PacsConnection::handleCGETResponse(const T_ASC_PresentationContextID id, RetrieveResponse* response,
+                                               OFBool& go_on) {
+    report(response);
     return DcmSCU::handleCGETResponse(id, response, go_on);
+}
+
+OFCondition PacsConnection::handleMOVEResponse(const T_ASC_PresentationContextID id, RetrieveResponse* response,
+                                               OFBool& go_on) {
+    report(response);
+    return DcmSCU::handleMOVEResponse(id, response, go_on);
 }
 
 }  // namespace lacuna::dicom

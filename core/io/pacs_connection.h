@@ -2,31 +2,17 @@
 
 #include <dcmtk/config/osconfig.h>
 // DCMTK's configuration comes first
-#include <dcmtk/dcmnet/dcmlayer.h>
 #include <dcmtk/dcmnet/scu.h>
 
+#include <atomic>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <stop_token>
 
 #include "core/base/job.h"
-#include "core/io/pacs.h"
+#include "core/io/pacs_socket.h"
 
 namespace lacuna::dicom {
-
-/// A second handle on the connection's socket: shutting it down wakes whatever waits on the first one.
-class SocketWatch {
-public:
-    ~SocketWatch();
-    void watch(int socket);
-    void shut_down();
-
-private:
-    std::mutex mutex_;
-    int copy_ = -1;
-    bool down_ = false;
-};
 
 /// One association with a server: opened by connect(), ended by close() or destruction. A stop of the job shuts the
 /// socket down, so that every call returns at once.
@@ -40,6 +26,10 @@ public:
     /// @throws Error(io), Error(cancelled)
     void connect();
     void close();
+    /// Waits for an answer as long as it takes: something else watches, and calls give_up().
+    void be_patient();
+    /// From another thread: ends what waits on the server, as if it had fallen silent.
+    void give_up();
 
     /// The accepted context of a class; @throws Error(io) naming `service` if the server does not offer it
     T_ASC_PresentationContextID accepted(const OFString& sop_class, const std::string& service);
@@ -50,7 +40,7 @@ public:
 
     /// Called for every object that C-GET brings; false: it could not be kept.
     std::function<bool(DcmDataset&)> on_object;
-    /// Called with remaining and finished sub-operations of C-GET.
+    /// Called with remaining and finished sub-operations of C-GET and C-MOVE.
     std::function<void(int remaining, int done, int failed)> on_progress;
     std::size_t most_responses = k_most_pacs_rows;
     bool had_more = false;
@@ -61,10 +51,12 @@ public:
                                    Uint16& status) override;
     OFCondition handleCGETResponse(const T_ASC_PresentationContextID id, RetrieveResponse* response,
                                    OFBool& go_on) override;
+    OFCondition handleMOVEResponse(const T_ASC_PresentationContextID id, RetrieveResponse* response,
+                                   OFBool& go_on) override;
 
 private:
     void probe() const;
-    void secure();
+    void report(const RetrieveResponse* response) const;
     [[noreturn]] void fail(const OFCondition& condition) const;
 
     const PacsServer server_;
@@ -72,7 +64,18 @@ private:
     std::shared_ptr<SocketWatch> watch_;
     std::unique_ptr<DcmTransportLayer> layer_;
     std::size_t responses_ = 0;
+    std::atomic<bool> silent_{false};
     std::unique_ptr<std::stop_callback<std::function<void()>>> on_stop_;
 };
+
+/// "HOST port PORT", as messages name a server.
+std::string place_of(const PacsServer& server);
+/// @throws Error(bad_usage) for a text that is no UID
+void check_uid(const std::string& uid);
+/// The codings without compression, and one alone.
+OFList<OFString> plain_syntaxes();
+OFList<OFString> one_syntax(const char* uid);
+/// A key of a query: to be given back where `value` is empty.
+void ask(DcmDataset& keys, const DcmTagKey& tag, const std::string& value = {});
 
 }  // namespace lacuna::dicom
