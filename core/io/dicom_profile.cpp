@@ -1,8 +1,6 @@
 #include "core/io/dicom_profile.h"
 
 #include <algorithm>
-#include <utility>
-#include <vector>
 
 namespace lacuna::dicom {
 
@@ -118,24 +116,22 @@ std::vector<Row> sorted_table() {
     return rows;
 }
 
-const std::vector<Row>& table() {
+}  // namespace
+
+const std::vector<Row>& profile_table() {
     static const std::vector<Row> rows = sorted_table();
     return rows;
 }
-
-}  // namespace
 
 ProfileAction profile_action(std::uint16_t group, std::uint16_t element) {
     if (group % 2 == 1) return ProfileAction::remove;
     const unsigned repeating = group & 0xFF00u;
     if (repeating == 0x5000 || repeating == 0x6000) return ProfileAction::remove;
     const std::uint32_t tag = std::uint32_t(group) << 16 | element;
-    const auto& rows = table();
+    const auto& rows = profile_table();
     const auto at = std::lower_bound(rows.begin(), rows.end(), tag,
                                      [](const Row& row, std::uint32_t wanted) { return row.first < wanted; });
     return at != rows.end() && at->first == tag ? at->second : ProfileAction::keep;
 }
-
-int profile_rows() { return int(table().size()); }
 
 }  // namespace lacuna::dicom

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace lacuna::dicom {
 
@@ -23,7 +25,7 @@ enum class ProfileAction : std::uint8_t {
 /// search.
 ProfileAction profile_action(std::uint16_t group, std::uint16_t element);
 
-/// Rows of the table, without the groups that are removed whole.
-int profile_rows();
+/// The table's rows by tag (group and element as one number), without the groups that are removed whole.
+const std::vector<std::pair<std::uint32_t, ProfileAction>>& profile_table();
 
 }  // namespace lacuna::dicom
