@@ -71,8 +71,13 @@ private:
 struct PageLayout {
     std::uint32_t width = 0, height = 0;
     std::uint16_t bits = 0, format = SAMPLEFORMAT_UINT, photometric = 0;
+    bool packed = false;                      ///< pixels of one bit, eight a byte; read as bytes of 0 and 1
     std::vector<std::uint8_t> grey_of_index;  ///< of a palette; empty: none
 
+    /// Bytes in the file of so many pixels of a row.
+    std::size_t stored(std::uint32_t pixels) const {
+        return packed ? (std::size_t(pixels) + 7) / 8 : std::size_t(pixels) * (bits / 8);
+    }
     std::size_t bytes() const { return std::size_t(width) * height * (bits / 8); }
     bool operator==(const PageLayout&) const = default;
 };
@@ -107,6 +112,8 @@ PageLayout layout_of(const TiffFile& file) {
         file.refuse("it holds no grey values; convert it", Errc::unsupported);
     const bool whole = page.format == SAMPLEFORMAT_UINT || page.format == SAMPLEFORMAT_INT;
     const bool real = page.format == SAMPLEFORMAT_IEEEFP;
+    page.packed = page.bits == 1 && page.format == SAMPLEFORMAT_UINT;
+    if (page.packed) page.bits = 8;
     const bool known = (whole && (page.bits == 8 || page.bits == 16 || page.bits == 32)) ||
                        (real && (page.bits == 32 || page.bits == 64));
     if (!known)
@@ -117,16 +124,30 @@ PageLayout layout_of(const TiffFile& file) {
     return page;
 }
 
+/// Pixels of a row as they lie in the file to where they belong.
+void put_row(const PageLayout& page, const std::byte* from, std::uint32_t pixels, std::byte* to) {
+    if (!page.packed) {
+        std::memcpy(to, from, page.stored(pixels));
+        return;
+    }
+    for (std::uint32_t x = 0; x < pixels; ++x) to[x] = from[x / 8] >> (7 - x % 8) & std::byte{1};
+}
+
 void read_strips(const TiffFile& file, const PageLayout& page, std::byte* to) {
-    const std::size_t row = std::size_t(page.width) * (page.bits / 8);
-    if (std::size_t(TIFFScanlineSize64(file.get())) != row) file.refuse("its rows are not as long as its width says");
+    const std::size_t row = std::size_t(page.width) * (page.bits / 8), stored = page.stored(page.width);
+    if (std::size_t(TIFFScanlineSize64(file.get())) != stored)
+        file.refuse("its rows are not as long as its width says");
     const std::uint32_t rows =
         std::max(1u, std::min(page.height, file.tag<std::uint32_t>(TIFFTAG_ROWSPERSTRIP, page.height)));
+    std::vector<std::byte> packed(page.packed ? stored * rows : 0);
     for (std::uint32_t y = 0; y < page.height; y += rows) {
-        const auto want = tmsize_t(row * std::min(rows, page.height - y));
-        const auto strip = TIFFComputeStrip(file.get(), y, 0);
-        if (TIFFReadEncodedStrip(file.get(), strip, to + y * row, want) != want)
+        const std::uint32_t here = std::min(rows, page.height - y);
+        const auto want = tmsize_t(stored * here);
+        std::byte* into = page.packed ? packed.data() : to + y * row;
+        if (TIFFReadEncodedStrip(file.get(), TIFFComputeStrip(file.get(), y, 0), into, want) != want)
             file.refuse("its pixels are damaged or cut short");
+        for (std::uint32_t r = 0; page.packed && r < here; ++r)
+            put_row(page, packed.data() + r * stored, page.width, to + (y + r) * row);
     }
 }
 
@@ -134,16 +155,16 @@ void read_tiles(const TiffFile& file, const PageLayout& page, std::byte* to) {
     const std::size_t word = page.bits / 8, row = std::size_t(page.width) * word;
     const auto w = file.tag<std::uint32_t>(TIFFTAG_TILEWIDTH), h = file.tag<std::uint32_t>(TIFFTAG_TILELENGTH);
     const auto bytes = std::size_t(TIFFTileSize64(file.get()));
-    if (w < 1 || h < 1 || bytes != std::size_t(w) * h * word) file.refuse("its tiles have an odd size");
+    if (w < 1 || h < 1 || bytes != std::size_t(h) * page.stored(w)) file.refuse("its tiles have an odd size");
     std::vector<std::byte> tile(bytes);
     for (std::uint32_t y = 0; y < page.height; y += h)
         for (std::uint32_t x = 0; x < page.width; x += w) {
             if (TIFFReadTile(file.get(), tile.data(), x, y, 0, 0) < 0)
                 file.refuse("its pixels are damaged or cut short");
             const std::uint32_t rows = std::min(h, page.height - y);
-            const std::size_t run = std::min(w, page.width - x) * word;
             for (std::uint32_t r = 0; r < rows; ++r)
-                std::memcpy(to + (y + r) * row + x * word, tile.data() + std::size_t(r) * w * word, run);
+                put_row(page, tile.data() + r * page.stored(w), std::min(w, page.width - x),
+                        to + (y + r) * row + x * word);
         }
 }
 

@@ -129,6 +129,54 @@ TEST(TiffReader, AGreyPaletteIsResolvedAndAColouredOneRefused) {
     expect_error(Errc::unsupported, {"v.tif", "colour palette"}, [&] { open_volume((folder / "v.tif").string()); });
 }
 
+TEST(TiffReader, PixelsOfOneBitAreNoughtAndOne) {
+    const ScratchFolder folder;
+    constexpr std::uint32_t k_wide = 37, k_high = 21;
+    const auto set = [](std::uint32_t x, std::uint32_t y) { return (x * y + x / 3 + y) % 3 == 0; };
+    for (const std::uint16_t compression : {COMPRESSION_NONE, COMPRESSION_LZW, COMPRESSION_CCITTFAX4})
+        for (const std::uint32_t tile : {0u, 16u})
+            for (const std::uint16_t order : {FILLORDER_MSB2LSB, FILLORDER_LSB2MSB}) {
+                TIFF* tiff = TIFFOpen((folder / "v.tif").c_str(), "w");
+                TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, k_wide);
+                TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, k_high);
+                TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, 1);
+                TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
+                TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+                TIFFSetField(tiff, TIFFTAG_COMPRESSION, compression);
+                TIFFSetField(tiff, TIFFTAG_FILLORDER, order);
+                if (tile) {
+                    TIFFSetField(tiff, TIFFTAG_TILEWIDTH, tile);
+                    TIFFSetField(tiff, TIFFTAG_TILELENGTH, tile);
+                } else {
+                    TIFFSetField(tiff, TIFFTAG_ROWSPERSTRIP, 4);
+                }
+                // Rows of `wide` pixels from (x0, y0) on, eight a byte.
+                const auto bits = [&](std::uint32_t x0, std::uint32_t y0, std::uint32_t wide, std::uint32_t high) {
+                    std::vector<std::uint8_t> bytes(high * ((wide + 7) / 8), 0);
+                    for (std::uint32_t y = 0; y < high; ++y)
+                        for (std::uint32_t x = 0; x < wide; ++x)
+                            if (x0 + x < k_wide && y0 + y < k_high && set(x0 + x, y0 + y))
+                                bytes[y * ((wide + 7) / 8) + x / 8] |= std::uint8_t(0x80 >> (x % 8));
+                    return bytes;
+                };
+                if (tile) {
+                    for (std::uint32_t y = 0; y < k_high; y += tile)
+                        for (std::uint32_t x = 0; x < k_wide; x += tile)
+                            TIFFWriteTile(tiff, bits(x, y, tile, tile).data(), x, y, 0, 0);
+                } else {
+                    for (std::uint32_t y = 0; y < k_high; ++y)
+                        TIFFWriteScanline(tiff, bits(0, y, k_wide, 1).data(), y, 0);
+                }
+                TIFFClose(tiff);
+                const Volume read = open_volume((folder / "v.tif").string());
+                ASSERT_EQ(read.geometry().size, glm::ivec3(k_wide, k_high, 1));
+                for (std::uint32_t y = 0; y < k_high; ++y)
+                    for (std::uint32_t x = 0; x < k_wide; ++x)
+                        ASSERT_EQ(read.value(int(x), int(y), 0), set(x, y))
+                            << x << " " << y << " " << compression << " " << tile << " " << order;
+            }
+}
+
 TEST(TiffReader, ImageJsSpacingIsUsedWhereItsUnitIsALength) {
     const ScratchFolder folder;
     const Volume original = extreme_volume<std::uint8_t>(grid({4, 4, 2}));
