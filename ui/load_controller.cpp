@@ -31,6 +31,10 @@ void add_screen_facts(Document& document, const JobContext& job) {
         // In a DICONDE file the patient is a part, and its fields are known already.
         if (document.volume.dicom->component.empty()) document.patient = facts.patient;
         if (facts.voi_function) document.settings.slices.function = *facts.voi_function;
+        document.voi_tables = facts.voi_tables;
+        // Of a window and a table either may be taken (PS3.3 C.11.2.1.1); most people know windows.
+        if (!document.voi_tables.empty() && !document.volume.dicom->window_center)
+            show_table(document.settings, document, 0);
     } catch (const Error& error) {
         if (error.code() == Errc::cancelled) throw;
     }

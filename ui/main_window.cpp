@@ -259,7 +259,7 @@ void MainWindow::connectRendering() {
 void MainWindow::showDocument() {
     const Document& document = documents_->document();
     for (SliceView* slice : views_->slices()) {
-        slice->setVolume(document.volume);
+        slice->setVolume(document.volume, document.voi_tables);
         slice->setCursor3d(document.cursor_mm);
     }
     views_->volumeView()->setGeometry3d(document.volume.geometry());
@@ -267,7 +267,7 @@ void MainWindow::showDocument() {
     views_->volumeView()->setCamera(document.camera);
     render_panel_->setVolumeFacts(document.statistics->range, QString::fromStdString(document.volume.unit));
     cuts_panel_->setGeometry3d(document.volume.geometry());
-    slices_panel_->setVolume(document.volume, document.statistics);
+    slices_panel_->setDocument(document);
     stack_->setCurrentWidget(views_);
     showSettings();
     readOutCursor();

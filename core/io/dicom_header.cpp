@@ -15,6 +15,7 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "core/io/dicom_lut.h"
 #include "core/io/dicom_posix.h"
 #include "core/io/dicom_tags.h"
 
@@ -187,25 +188,8 @@ std::optional<std::int64_t> pixel_value_of(DcmItem& data, const DcmTagKey& tag, 
 std::shared_ptr<const ModalityLut> modality_lut(DcmItem& data, const PixelFormat& pixels) {
     DcmItem* item = item_of(data, DCM_ModalityLUTSequence);
     if (!item || pixels.kind != PixelKind::integer) return nullptr;
-    const auto described = numbers_of(*item, DCM_LUTDescriptor);
-    if (described.size() != 3) throw std::runtime_error(tag_text(DCM_LUTDescriptor) + " has not three values");
-    const std::size_t entries = described[0] == 0 ? 65536 : std::size_t(Uint16(std::int64_t(described[0])));
-    auto lut = std::make_shared<ModalityLut>();
-    // Files name the first stored value as US even where pixels are signed.
-    lut->first = pixels.is_signed ? std::int64_t(Sint16(std::int64_t(described[1]))) : std::int64_t(described[1]);
-    const Uint16* words = nullptr;
-    unsigned long count = 0;
-    if (item->findAndGetUint16Array(DCM_LUTData, words, &count).bad() || !words)
-        throw std::runtime_error(tag_text(DCM_LUTData) + " is missing");
-    if (count >= entries) {
-        lut->values.assign(words, words + entries);
-    } else if (described[2] == 8 && count * 2 >= entries) {  // two entries a word
-        for (std::size_t i = 0; i < entries; ++i) lut->values.push_back(words[i / 2] >> (i % 2 * 8) & 0xFF);
-    } else {
-        throw std::runtime_error(tag_text(DCM_LUTData) + " holds " + std::to_string(count) + " of " +
-                                 std::to_string(entries) + " values");
-    }
-    return lut;
+    LutItem read = read_lut(*item, pixels.is_signed);
+    return std::make_shared<ModalityLut>(ModalityLut{read.first, std::move(read.entries)});
 }
 
 void fill_component(DcmItem& data, File& file) {

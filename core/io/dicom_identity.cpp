@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "core/io/dicom_header.h"
+#include "core/io/dicom_lut.h"
 #include "core/io/dicom_tags.h"
 
 namespace lacuna {
@@ -25,7 +26,10 @@ public:
     }
 
     std::string operator()(const DcmTagKey& tag, const char* delimiters = "\\") {
-        std::string text = dicom::text_of(data_, tag);
+        return readable(dicom::text_of(data_, tag), delimiters);
+    }
+
+    std::string readable(std::string text, const char* delimiters = "\\") {
         OFString converted;
         if (converts_ && converter_.convertString(text.c_str(), text.size(), converted, delimiters).good())
             text.assign(converted.c_str(), converted.size());
@@ -111,6 +115,11 @@ DicomScreenFacts read_screen_facts(const std::filesystem::path& file, int frame)
     if (word == "LINEAR") facts.voi_function = VoiFunction::linear;
     if (word == "LINEAR_EXACT") facts.voi_function = VoiFunction::linear_exact;
     if (word == "SIGMOID") facts.voi_function = VoiFunction::sigmoid;
+    Utf8Texts text(data);
+    for (VoiTable& table : dicom::voi_tables(data, frame)) {
+        table.name = text.readable(std::move(table.name));
+        facts.voi_tables.push_back(std::make_shared<const VoiTable>(std::move(table)));
+    }
     return facts;
 }
 

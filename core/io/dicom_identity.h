@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/volume/voi_window.h"
 
@@ -25,8 +26,9 @@ struct PatientIdentity {
 
 /// What a view wants to know of a slice beyond its values.
 struct DicomScreenFacts {
-    std::shared_ptr<const PatientIdentity> patient;  ///< null: it names nobody
-    std::optional<VoiFunction> voi_function;         ///< VOILUTFunction (0028,1056); none: it says nothing
+    std::shared_ptr<const PatientIdentity> patient;           ///< null: it names nobody
+    std::optional<VoiFunction> voi_function;                  ///< VOILUTFunction (0028,1056); none: it says nothing
+    std::vector<std::shared_ptr<const VoiTable>> voi_tables;  ///< of its VOI LUT Sequence
 };
 
 /// Reads them from one file, its texts in UTF-8 whatever character set they are in, control characters left out.

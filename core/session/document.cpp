@@ -157,6 +157,13 @@ void switch_mode(ViewSettings& settings, ViewMode mode) {
     settings.other_modes.erase(own);
 }
 
+void show_table(ViewSettings& settings, const Document& document, std::size_t table) {
+    const VoiTable& chosen = *document.voi_tables[table];
+    settings.slices.function = VoiFunction::table;
+    settings.slices.table = int(table);
+    settings.window = {chosen.first, chosen.last()};
+}
+
 std::vector<CuttingPlane> planes_of(const BoxRoi& roi, const GridGeometry& geometry) {
     std::vector<CuttingPlane> planes;
     if (!roi.enabled) return planes;

@@ -103,6 +103,7 @@ struct Document {
     OpenOptions options;  ///< as opened: which series, how raw voxels lie
     Volume volume;
     std::shared_ptr<const PatientIdentity> patient;  ///< personal: for the views' corners alone; null: not known
+    std::vector<std::shared_ptr<const VoiTable>> voi_tables;  ///< the file's own tables of grey levels
     std::shared_ptr<const VolumeStatistics> statistics;
     ViewSettings settings;
     Camera camera;
@@ -135,6 +136,10 @@ Document make_document(std::string input, Volume volume, const JobContext& job =
 
 /// The grey window a volume opens with: the file's own, soft tissue for HU, else percentiles 0.1 to 99.9.
 ValueRange default_window(const Volume& volume, const VolumeStatistics& statistics);
+
+/// Has the slices shown through one of the document's tables, as the file means it.
+/// @pre table < document.voi_tables.size()
+void show_table(ViewSettings& settings, const Document& document, std::size_t table);
 
 /// A front view that shows what is denser than Otsu's threshold as large as it fits from every side; the plain camera
 /// where that is the whole volume. Cost: at most 256^3 voxels are looked at.

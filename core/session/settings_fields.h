@@ -68,6 +68,7 @@ void fields(Archive& archive, Slab& slab) {
 template <class Archive>
 void fields(Archive& archive, SliceSettings& slices) {
     archive("function", slices.function);
+    archive("table", slices.table);
     archive("tilt", slices.tilt);
     archive("slab", slices.slab);
     archive("overlay_opacity", slices.overlay_opacity);

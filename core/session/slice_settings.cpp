@@ -8,8 +8,10 @@ namespace lacuna {
 
 namespace {
 
-constexpr NameTable<VoiFunction, 3> k_functions{
-    {{VoiFunction::linear, "linear"}, {VoiFunction::linear_exact, "linear-exact"}, {VoiFunction::sigmoid, "sigmoid"}}};
+constexpr NameTable<VoiFunction, 4> k_functions{{{VoiFunction::linear, "linear"},
+                                                 {VoiFunction::linear_exact, "linear-exact"},
+                                                 {VoiFunction::sigmoid, "sigmoid"},
+                                                 {VoiFunction::table, "table"}}};
 constexpr NameTable<SlabMode, 3> k_modes{
     {{SlabMode::mean, "mean"}, {SlabMode::mip, "mip"}, {SlabMode::minip, "minip"}}};
 
@@ -19,6 +21,7 @@ const char* fault_of(const SliceSettings& settings) {
     if (!(std::abs(glm::length(settings.tilt) - 1) <= 1e-6)) return "slices.tilt is no unit quaternion.";
     if (!(settings.slab.thickness_mm >= 0) || !std::isfinite(settings.slab.thickness_mm))
         return "slices.slab.thickness_mm has to be 0 or more.";
+    if (settings.table < 0) return "slices.table has to be 0 or more.";
     if (!(settings.overlay_opacity >= 0 && settings.overlay_opacity <= 1))
         return "slices.overlay_opacity has to be from 0 to 1.";
     return "";

@@ -11,6 +11,7 @@ namespace lacuna {
 /// How the slices are cut and painted, beside their window.
 struct SliceSettings {
     VoiFunction function = VoiFunction::linear_exact;  ///< of the window
+    int table = 0;                                     ///< which of the document's tables VoiFunction::table means
     /// Turns the three planes together about the cross-hair, in patient space; the identity: they lie along the grid.
     glm::dquat tilt{1, 0, 0, 0};
     Slab slab;
@@ -21,7 +22,7 @@ struct SliceSettings {
 /// What no view can show of them, in one sentence; empty when they are sound.
 const char* fault_of(const SliceSettings& settings);
 
-/// "linear", "linear-exact", "sigmoid"; @throws Error(bad_usage) for an unknown word
+/// "linear", "linear-exact", "sigmoid", "table"; @throws Error(bad_usage) for an unknown word
 std::string_view name_of(VoiFunction function);
 VoiFunction parse_voi_function(std::string_view text);
 /// "mean", "mip", "minip"; @throws Error(bad_usage) for an unknown word

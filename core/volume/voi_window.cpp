@@ -12,7 +12,7 @@ struct Ramp {
     double black, white, slope, offset;
 
     explicit Ramp(const VoiWindow& window) {
-        const bool exact = window.function == VoiFunction::linear_exact;
+        const bool exact = window.function != VoiFunction::linear;
         const double center = exact ? window.center : window.center - 0.5;
         const double width = exact ? std::max(window.width, 0.0) : std::max(window.width, 1.0) - 1;
         black = center - 0.5 * width;
@@ -40,6 +40,31 @@ struct Sigmoid {
     }
 };
 
+/// A table stretched over the window.
+struct Table {
+    const std::vector<std::uint16_t>& share;
+    double black, scale, white, last;
+
+    explicit Table(const VoiWindow& window)
+        : share(window.table->share),
+          black(window.center - 0.5 * window.width),
+          scale(window.width > 0 ? double(share.size() - 1) / window.width : 0),
+          white(double((1 << window.table->bits) - 1)),
+          last(double(share.size() - 1)) {}
+
+    double operator()(double value) const {
+        if (!(value == value)) return 0;
+        const double at = scale > 0 ? std::clamp((value - black) * scale, 0.0, last) : value > black ? last : 0;
+        const auto below = std::size_t(at);
+        const double next = share[std::min(below + 1, share.size() - 1)];
+        return std::min(1.0, (share[below] + (at - double(below)) * (next - share[below])) / white);
+    }
+};
+
+bool has_table(const VoiWindow& window) {
+    return window.function == VoiFunction::table && window.table && !window.table->share.empty();
+}
+
 template <class Function>
 void grey_levels(const Function& share, std::span<const float> values, std::uint8_t* grey) {
     for (std::size_t i = 0; i < values.size(); ++i) grey[i] = std::uint8_t(share(double(values[i])) * 255 + 0.5);
@@ -48,11 +73,14 @@ void grey_levels(const Function& share, std::span<const float> values, std::uint
 }  // namespace
 
 double voi_share(const VoiWindow& window, double value) {
+    if (has_table(window)) return Table(window)(value);
     return window.function == VoiFunction::sigmoid ? Sigmoid(window)(value) : Ramp(window)(value);
 }
 
 void apply_voi(const VoiWindow& window, std::span<const float> values, std::span<std::uint8_t> grey) {
-    if (window.function == VoiFunction::sigmoid)
+    if (has_table(window))
+        grey_levels(Table(window), values, grey.data());
+    else if (window.function == VoiFunction::sigmoid)
         grey_levels(Sigmoid(window), values, grey.data());
     else
         grey_levels(Ramp(window), values, grey.data());

@@ -85,6 +85,29 @@ void put_modality_lut(DcmDataset& data, const ZooSlice& s) {
     put(*item, DCM_ModalityLUTType, "OD");
 }
 
+void put_voi_tables(DcmDataset& data, const ZooSlice& s) {
+    for (std::size_t i = 0; i < s.voi_tables.size(); ++i) {
+        const ZooTable& table = s.voi_tables[i];
+        DcmItem* item = nullptr;
+        check(data.findOrCreateSequenceItem(DCM_VOILUTSequence, item, long(i)), "put table");
+        if (table.first_as_ss) {
+            const Sint16 described[] = {Sint16(table.entries.size()), Sint16(table.first), Sint16(table.bits)};
+            check(item->putAndInsertSint16Array(DcmTag(DCM_LUTDescriptor, EVR_SS), described, 3), "put descriptor");
+        } else {
+            const Uint16 described[] = {Uint16(table.entries.size()), Uint16(table.first), Uint16(table.bits)};
+            check(item->putAndInsertUint16Array(DcmTag(DCM_LUTDescriptor, EVR_US), described, 3), "put descriptor");
+        }
+        std::vector<Uint16> words(table.entries.begin(), table.entries.end());
+        if (table.packed) {
+            words.assign((table.entries.size() + 1) / 2, 0);
+            for (std::size_t k = 0; k < table.entries.size(); ++k)
+                words[k / 2] = Uint16(words[k / 2] | table.entries[k] << (k % 2 * 8));
+        }
+        check(item->putAndInsertUint16Array(DcmTag(DCM_LUTData, EVR_OW), words.data(), words.size()), "put table");
+        if (!table.explanation.empty()) put(*item, DCM_LUTExplanation, table.explanation);
+    }
+}
+
 void put_header(DcmDataset& data, const ZooSlice& s) {
     static std::atomic<int> serial{0};
     put(data, DCM_SOPClassUID, UID_CTImageStorage);
@@ -109,6 +132,7 @@ void put_header(DcmDataset& data, const ZooSlice& s) {
     if (s.padding) put_pixel_value(data, DCM_PixelPaddingValue, *s.padding, s.is_signed);
     if (s.padding_limit) put_pixel_value(data, DCM_PixelPaddingRangeLimit, *s.padding_limit, s.is_signed);
     put_modality_lut(data, s);
+    put_voi_tables(data, s);
     for (const auto& [tag, value] : s.extra) put(data, DcmTag(Uint16(tag.first), Uint16(tag.second)), value);
 }
 

@@ -14,6 +14,15 @@ namespace lacuna::test {
 /// How the zoo writes a file's pixels.
 enum class ZooSyntax { implicit_le, explicit_le, explicit_be, deflated, rle, jpeg_lossless, jpeg_ls };
 
+/// An item of a VOI LUT Sequence.
+struct ZooTable {
+    std::string explanation;
+    std::vector<int> entries;
+    int first = 0, bits = 16;
+    bool first_as_ss = false;  ///< the descriptor is written as SS, else as US whatever the sign
+    bool packed = false;       ///< two entries of 8 bits a word
+};
+
 /// One small DICOM image; the defaults make a 6x5 CT slice of 16-bit words with 12 stored bits, in Hounsfield units.
 struct ZooSlice {
     glm::ivec2 size{6, 5};
@@ -31,7 +40,8 @@ struct ZooSlice {
     ZooSyntax syntax = ZooSyntax::explicit_le;
     std::vector<int> modality_lut;  ///< not empty: stored values from modality_lut_first on mean these
     int modality_lut_first = 0, modality_lut_claims = -1;  ///< entries the descriptor names; -1: as many as there are
-    bool with_meta = true;                                 ///< false: no preamble and no meta group
+    std::vector<ZooTable> voi_tables;
+    bool with_meta = true;                                                     ///< false: no preamble and no meta group
     std::vector<std::pair<std::pair<unsigned, unsigned>, std::string>> extra;  ///< more text elements, by tag
 };
 

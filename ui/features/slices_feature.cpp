@@ -34,7 +34,7 @@ SlicesFeature::SlicesFeature(Workbench& bench, SlicesPanel* panel) : QObject(&be
 }
 
 void SlicesFeature::chooseWindow(ValueRange window) {
-    bench_.edit(tr("Window preset"), [&](ViewSettings& settings) { settings.window = window; });
+    bench_.edit(tr("Window preset"), [&](ViewSettings& settings) { SlicesPanel::choose(settings, {{}, window, {}}); });
 }
 
 void SlicesFeature::addWindows() {
@@ -51,7 +51,9 @@ void SlicesFeature::addWindows() {
     for (const auto& [text, number, row] :
          {std::tuple{tr("&Full range"), ++digit, std::size_t(1)}, {tr("As &opened"), 0, std::size_t(0)}})
         bench_.add(menu, text, key(number), this, [this, row = row] {
-            if (row < panel_->windows().size()) chooseWindow(panel_->windows()[row].second);
+            if (row >= panel_->windows().size()) return;
+            bench_.edit(tr("Window preset"),
+                        [&](ViewSettings& settings) { SlicesPanel::choose(settings, panel_->windows()[row]); });
         });
 }
 

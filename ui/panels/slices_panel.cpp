@@ -4,6 +4,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ SlicesPanel::SlicesPanel(QWidget* parent)
     connect(preset_, &QComboBox::activated, this, [this](int i) {
         if (i < 1 || std::size_t(i) > windows_.size()) return;
         ViewSettings next = settings_;
-        next.window = windows_[std::size_t(i - 1)].second;
+        choose(next, windows_[std::size_t(i - 1)]);
         Q_EMIT edited(tr("Window preset"), next);
     });
     connect(level_, &ValueSlider::valueEdited, this,
@@ -93,10 +94,11 @@ void SlicesPanel::editSlices(const QString& name, const SliceSettings& slices) {
 void SlicesPanel::build() {
     preset_->setAccessibleName(tr("Window preset"));
     function_->setAccessibleName(tr("Window function"));
-    function_->addItems({tr("Linear (DICOM)"), tr("Linear, exact"), tr("Sigmoid")});
+    function_->addItems({tr("Linear (DICOM)"), tr("Linear, exact"), tr("Sigmoid"), tr("Table of the file")});
     function_->setToolTip(
         tr("How a window makes grey of values: DICOM PS3.3 C.11.2. Linear (DICOM) leaves half a value at either end, "
-           "as scanners do; exact runs from end to end; sigmoid fades out softly."));
+           "as scanners do; exact runs from end to end; sigmoid fades out softly. A table is the file's own (VOI LUT), "
+           "stretched over the window."));
     slab_mode_->setAccessibleName(tr("What a slab shows"));
     slab_mode_->addItems({tr("Mean"), tr("Maximum (MIP)"), tr("Minimum (MinIP)")});
     slab_->setSuffix(tr(" mm"));
@@ -127,45 +129,81 @@ void SlicesPanel::build() {
     column->addStretch(1);
 }
 
-void SlicesPanel::setVolume(const Volume& volume, std::shared_ptr<const VolumeStatistics> statistics) {
-    statistics_ = std::move(statistics);
+void SlicesPanel::setDocument(const Document& document) {
+    const Volume& volume = document.volume;
+    statistics_ = document.statistics;
     unit_ = volume.unit;
     own_ = default_window(volume, *statistics_);
     const ValueRange values = statistics_->range;
     const double span = std::max(values.width(), 1e-6);
-    level_->setLimits({std::min(values.lo, own_.lo), std::max(values.hi, own_.hi)});
-    width_->setLimits({span / 1000, std::max(2 * span, own_.width())});
+    ValueRange reach{std::min(values.lo, own_.lo), std::max(values.hi, own_.hi)};
+    double widest = std::max(2 * span, own_.width());
+    for (const auto& table : document.voi_tables) {
+        reach = {std::min(reach.lo, table->first), std::max(reach.hi, table->last())};
+        widest = std::max(widest, table->last() - table->first);
+    }
+    level_->setLimits(reach);
+    width_->setLimits({span / 1000, widest});
     projection_->setLimits({std::min(values.lo, own_.lo), std::max(values.hi, own_.hi)});
     projection_->setStep(ValueSteps::of(values).step);
     const GridGeometry& geometry = volume.geometry();
     const double extent = geometry.diameter_mm() / 2;
     slab_->setLimits({0, extent});
     slab_->setSteps(ValueSteps::of({0, extent}).decimals, geometry.smallest_spacing_mm());
-    fillPresets();
+    fillPresets(document);
 }
 
-void SlicesPanel::fillPresets() {
-    windows_.clear();
-    windows_.emplace_back(tr("As opened"), own_);
-    windows_.emplace_back(tr("Full range"), statistics_->range.width() > 0
-                                                ? statistics_->range
-                                                : ValueRange{statistics_->range.lo - 0.5, statistics_->range.lo + 0.5});
+void SlicesPanel::choose(ViewSettings& settings, const NamedWindow& window) {
+    settings.window = window.range;
+    if (window.table) {
+        settings.slices.function = VoiFunction::table;
+        settings.slices.table = *window.table;
+    } else if (settings.slices.function == VoiFunction::table) {
+        settings.slices.function = VoiFunction::linear;  // what windows of DICOM files mean
+    }
+}
+
+void SlicesPanel::fillPresets(const Document& document) {
+    const ValueRange& all = statistics_->range;
+    windows_ = {{tr("As opened"), own_, {}},
+                {tr("Full range"), all.width() > 0 ? all : ValueRange{all.lo - 0.5, all.lo + 0.5}, {}}};
     if (unit_ == "HU")
         for (const WindowPreset& preset : hounsfield_windows())
-            windows_.emplace_back(tr("%1 (L %2, W %3)").arg(window_title(preset)).arg(preset.center).arg(preset.width),
-                                  ValueRange{preset.center - 0.5 * preset.width, preset.center + 0.5 * preset.width});
+            windows_.push_back({tr("%1 (L %2, W %3)").arg(window_title(preset)).arg(preset.center).arg(preset.width),
+                                ValueRange{preset.center - 0.5 * preset.width, preset.center + 0.5 * preset.width},
+                                {}});
+    for (std::size_t i = 0; i < document.voi_tables.size(); ++i) {
+        const VoiTable& table = *document.voi_tables[i];
+        const QString name = table.name.empty() ? tr("Table %1 of the file").arg(i + 1)
+                                                : tr("%1 (table of the file)").arg(QString::fromStdString(table.name));
+        windows_.push_back({name, ValueRange{table.first, table.last()}, int(i)});
+    }
+    // What LoadController opens it with.
+    if (!document.voi_tables.empty() && document.volume.dicom && !document.volume.dicom->window_center) {
+        const VoiTable& table = *document.voi_tables.front();
+        windows_.front() = {windows_.front().name, {table.first, table.last()}, 0};
+    }
+    setTablesAllowed(!document.voi_tables.empty());
     const QSignalBlocker quiet(preset_);
     preset_->clear();
     preset_->addItem(tr("Custom"));
-    for (const auto& [name, window] : windows_) preset_->addItem(name);
+    for (const NamedWindow& window : windows_) preset_->addItem(window.name);
+}
+
+void SlicesPanel::setTablesAllowed(bool there) {
+    auto* model = qobject_cast<QStandardItemModel*>(function_->model());
+    if (model) model->item(int(VoiFunction::table))->setEnabled(there);
 }
 
 void SlicesPanel::setSettings(const ViewSettings& settings) {
     settings_ = settings;
     const QSignalBlocker quiet(preset_);
     int chosen = 0;
+    const bool by_table = settings.slices.function == VoiFunction::table;
     for (std::size_t i = 0; i < windows_.size() && chosen == 0; ++i)
-        if (windows_[i].second == settings.window) chosen = int(i) + 1;
+        if (windows_[i].range == settings.window && windows_[i].table.has_value() == by_table &&
+            windows_[i].table.value_or(settings.slices.table) == settings.slices.table)
+            chosen = int(i) + 1;
     preset_->setCurrentIndex(chosen);
     level_->setValue(0.5 * (settings.window.lo + settings.window.hi));
     width_->setValue(settings.window.width());

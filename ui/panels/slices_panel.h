@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QPushButton>
 #include <QWidget>
+#include <optional>
 
 #include "core/session/document.h"
 #include "ui/widgets/range_slider.h"
@@ -19,7 +20,7 @@ class SlicesPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit SlicesPanel(QWidget* parent = nullptr);
-    void setVolume(const lacuna::Volume& volume, std::shared_ptr<const lacuna::VolumeStatistics> statistics);
+    void setDocument(const lacuna::Document& document);
     void setSettings(const lacuna::ViewSettings& settings);
     QComboBox* presetBox() const { return preset_; }
     QComboBox* functionBox() const { return function_; }
@@ -27,8 +28,16 @@ public:
     ValueSlider* slabSlider() const { return slab_; }
     ValueSlider* overlaySlider() const { return overlay_; }
     QPushButton* uprightButton() const { return upright_; }
-    /// The windows a person can choose for this volume, by name: as opened, the full range, and of HU the presets.
-    const std::vector<std::pair<QString, ValueRange>>& windows() const { return windows_; }
+    /// A window a person can choose.
+    struct NamedWindow {
+        QString name;
+        ValueRange range;
+        std::optional<int> table;  ///< with this table of the file
+    };
+    /// Those for this volume: as opened, the full range, of HU the presets, and the file's own tables.
+    const std::vector<NamedWindow>& windows() const { return windows_; }
+    /// The settings with a window chosen. A table goes with its own window alone.
+    static void choose(lacuna::ViewSettings& settings, const NamedWindow& window);
 
 Q_SIGNALS:
     void edited(const QString& name, const lacuna::ViewSettings& next);
@@ -38,11 +47,12 @@ private:
     void connectSlices();
     void editSlices(const QString& name, const SliceSettings& slices);
     void editWindow(double level, double width);
-    void fillPresets();
+    void fillPresets(const Document& document);
+    void setTablesAllowed(bool there);
 
     ViewSettings settings_;
     std::shared_ptr<const VolumeStatistics> statistics_;
-    std::vector<std::pair<QString, ValueRange>> windows_;
+    std::vector<NamedWindow> windows_;
     QComboBox *preset_, *function_;
     ValueSlider *level_, *width_;
     QComboBox* slab_mode_;

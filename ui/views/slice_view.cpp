@@ -24,9 +24,11 @@ SliceView::SliceView(SliceKind kind, QWidget* parent) : QWidget(parent), kind_(k
     connect(picture_, &SlicePicture::ready, this, qOverload<>(&QWidget::update));
 }
 
-void SliceView::setVolume(const Volume& volume) {
+void SliceView::setVolume(const Volume& volume, const std::vector<std::shared_ptr<const VoiTable>>& tables) {
     volume_ = volume;
+    tables_ = tables;
     picture_->setVolume(volume);
+    showWindow();
     cuts_.clear();
     settings_.tilt = {1, 0, 0, 0};
     if (!volume.empty()) cursor_mm_ = volume.geometry().voxel_to_mm(glm::dvec3(volume.geometry().size / 2));
@@ -53,9 +55,16 @@ void SliceView::setSettings(ValueRange window, const SliceSettings& settings) {
     if (window == window_ && settings == settings_) return;
     window_ = window;
     settings_ = settings;
-    picture_->setWindow(VoiWindow::of(window.lo, window.hi, settings.function));
+    showWindow();
     picture_->setOverlayOpacity(settings.overlay_opacity);
     place();
+}
+
+void SliceView::showWindow() {
+    VoiWindow shown = VoiWindow::of(window_.lo, window_.hi, settings_.function);
+    if (settings_.function == VoiFunction::table && std::size_t(settings_.table) < tables_.size())
+        shown.table = tables_[std::size_t(settings_.table)];
+    picture_->setWindow(shown);
 }
 
 void SliceView::setOverlay(const SliceOverlay& overlay) {

@@ -21,7 +21,9 @@ class SliceView final : public QWidget {
 public:
     explicit SliceView(SliceKind kind, QWidget* parent = nullptr);
 
-    void setVolume(const lacuna::Volume& volume);
+    /// @param tables  what VoiFunction::table may mean
+    void setVolume(const lacuna::Volume& volume,
+                   const std::vector<std::shared_ptr<const lacuna::VoiTable>>& tables = {});
     void setCursor3d(const glm::dvec3& mm);
     void setSettings(lacuna::ValueRange window, const lacuna::SliceSettings& settings);
     void setOverlay(const SliceOverlay& overlay);
@@ -76,6 +78,7 @@ protected:
     void focusOutEvent(QFocusEvent*) override;
 
 private:
+    void showWindow();
     void place();
     void moveCursorTo(const glm::dvec3& mm);
     void moveCursorBy(int right, int down);
@@ -89,6 +92,7 @@ private:
 
     SliceKind kind_;
     Volume volume_;
+    std::vector<std::shared_ptr<const VoiTable>> tables_;
     SliceSettings settings_;
     ValueRange window_{0, 255};
     SlicePose pose_;

@@ -29,6 +29,60 @@ TEST(ScreenFacts, TheWindowsFunctionIsTheFilesOwn) {
     }
 }
 
+TEST(ScreenFacts, TablesOfGreyLevelsAreReadWithTheSignTheirValuesHave) {
+    const TemporaryFolder folder;
+    ZooSlice slice;  // 12 stored bits, rescaled by -1024: values may be negative
+    slice.voi_tables = {{"BONE\x01", {0, 1000, 65535}, -1000, 16, false, false},
+                        {"", {0, 100, 255, 7}, -3, 8, true, true},
+                        {"too few bits", {0, 1}, 0, 7, false, false}};
+    write_zoo_slice(folder / "a", slice);
+    auto tables = read_screen_facts(folder / "a").voi_tables;
+    ASSERT_EQ(tables.size(), 2u);
+    EXPECT_EQ(tables[0]->name, "BONE");
+    EXPECT_EQ(tables[0]->first, -1000);
+    EXPECT_EQ(tables[0]->last(), -998);
+    EXPECT_EQ(tables[0]->bits, 16);
+    EXPECT_EQ(tables[0]->share, (std::vector<std::uint16_t>{0, 1000, 65535}));
+    EXPECT_EQ(tables[1]->first, -3);
+    EXPECT_EQ(tables[1]->bits, 8);
+    EXPECT_EQ(tables[1]->share, (std::vector<std::uint16_t>{0, 100, 255, 7}));
+
+    const auto first_of = [&](const ZooSlice& like) {
+        write_zoo_slice(folder / "b", like);
+        return read_screen_facts(folder / "b").voi_tables.at(0)->first;
+    };
+    slice.voi_tables = {{"", {0, 1}, 0xFC00, 16, false, false}};
+    EXPECT_EQ(first_of(slice), -1024);
+    slice.intercept = "0";  // 0 to 4095
+    EXPECT_EQ(first_of(slice), 64512);
+    slice.slope = "-1";
+    EXPECT_EQ(first_of(slice), -1024);
+    slice.slope = "";  // no rescale at all: as the pixels are
+    EXPECT_EQ(first_of(slice), 64512);
+    slice.is_signed = true;
+    EXPECT_EQ(first_of(slice), -1024);
+    slice.modality_lut = {1, 2, 3};  // whose values are unsigned
+    EXPECT_EQ(first_of(slice), 64512);
+    slice = {};
+    slice.voi_tables = {{"", std::vector<int>(65536, 5), -32768, 16, false, false}};  // written as 0 entries
+    write_zoo_slice(folder / "b", slice);
+    EXPECT_EQ(read_screen_facts(folder / "b").voi_tables.at(0)->share.size(), 65536u);
+    // In functional groups the rescale stands elsewhere.
+    slice.voi_tables = {{"", {0, 1}, 0xFC00, 16, false, false}};
+    test::write_zoo_enhanced(folder / "c", slice, {{0, 0, 0}, {0, 0, 1}}, [](int, int, int) { return 7; });
+    EXPECT_EQ(read_screen_facts(folder / "c", 2).voi_tables.at(0)->first, -1024);
+}
+
+TEST(ScreenFacts, ATableThatCannotBeIsLeftOut) {
+    const TemporaryFolder folder;
+    ZooSlice slice;
+    slice.voi_tables = {{"", {}, 0, 16, false, false}, {"good", {0, 9}, 0, 16, false, false}};  // 0 means 65536
+    write_zoo_slice(folder / "a", slice);
+    const auto tables = read_screen_facts(folder / "a").voi_tables;
+    ASSERT_EQ(tables.size(), 1u);
+    EXPECT_EQ(tables[0]->name, "good");
+}
+
 TEST(ScreenFacts, ThePatientIsReadForTheScreenAndKeptOutOfTheFacts) {
     const TemporaryFolder folder;
     ZooSlice slice;

@@ -75,6 +75,45 @@ TEST(VoiWindow, RowsAreTheSharesRoundedAndNanIsBlack) {
     }
 }
 
+TEST(VoiWindow, ATableIsReadAsTheStandardSays) {
+    VoiTable steep{"", -2, {0, 10, 200, 255, 60}, 8};
+    VoiWindow window = VoiWindow::of(steep.first, steep.last(), VoiFunction::table);
+    window.table = std::make_shared<const VoiTable>(steep);
+    for (std::size_t i = 0; i < steep.share.size(); ++i)
+        EXPECT_DOUBLE_EQ(voi_share(window, steep.first + double(i)), steep.share[i] / 255.0) << i;
+    EXPECT_EQ(voi_share(window, -1e9), 0);  // the first entry's below, the last one's above
+    EXPECT_DOUBLE_EQ(voi_share(window, 1e9), 60 / 255.0);
+    EXPECT_DOUBLE_EQ(voi_share(window, -0.5), 105 / 255.0);  // between entries
+    EXPECT_EQ(voi_share(window, std::nan("")), 0);
+    // Stretched over a window of another place and width.
+    window.center = 100;
+    window.width = 40;
+    EXPECT_EQ(voi_share(window, 80), 0);
+    EXPECT_DOUBLE_EQ(voi_share(window, 100), 200 / 255.0);
+    EXPECT_DOUBLE_EQ(voi_share(window, 120), 60 / 255.0);
+    // A row is its values one by one, whole grey levels unchanged.
+    const std::vector<float> values = {80, 90, 100, 110, 120, std::nanf(""), 1e30F};
+    std::vector<std::uint8_t> grey(values.size());
+    apply_voi(window, values, grey);
+    EXPECT_EQ(grey, (std::vector<std::uint8_t>{0, 10, 200, 255, 60, 0, 60}));
+}
+
+TEST(VoiWindow, ATableOfOddBitsOfOneEntryAndNone) {
+    VoiWindow window = VoiWindow::of(0, 1, VoiFunction::table);
+    EXPECT_EQ(voi_share(window, 0.25), 0.25) << "no table: linear";
+    window.table = std::make_shared<const VoiTable>(VoiTable{"", 0, {0, 1023}, 10});
+    EXPECT_EQ(voi_share(window, 1), 1);
+    window.table = std::make_shared<const VoiTable>(VoiTable{"", 0, {0, 2000}, 10});  // beyond its bits
+    EXPECT_EQ(voi_share(window, 1), 1);
+    window = VoiWindow::of(5, 5, VoiFunction::table);
+    window.table = std::make_shared<const VoiTable>(VoiTable{"", 5, {51}, 8});
+    EXPECT_DOUBLE_EQ(voi_share(window, 5), 0.2);
+    EXPECT_DOUBLE_EQ(voi_share(window, 7), 0.2);
+    window.table = std::make_shared<const VoiTable>(VoiTable{"", 5, {0, 255}, 8});  // squeezed to a step
+    EXPECT_EQ(voi_share(window, 5), 0);
+    EXPECT_EQ(voi_share(window, 5.1), 1);
+}
+
 TEST(VoiWindow, OfARangeIsItsMiddleAndWidth) {
     EXPECT_EQ(VoiWindow::of(-160, 240, VoiFunction::linear), linear(40, 400));
 }
