@@ -2,9 +2,15 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 
+#include <set>
 #include <thread>
 
 #include "../../support/dicom_zoo.h"
+#include "core/io/dicom_capture_writer.h"
+#include "core/io/dicom_derived.h"
+#include "core/io/dicom_seg_writer.h"
+#include "core/io/dicom_source.h"
+#include "core/io/dicom_sr_writer.h"
 #include "core/io/dicom_tags.h"
 #include "core/io/pacs.h"
 #include "pacs_fixture.h"
@@ -305,6 +311,50 @@ TEST(PacsOrthanc, CMoveBringsTheSameAsCGet) {
     expect_error(Errc::io, {"LACUNA", std::to_string(elsewhere.receiver.port)},
                  [&] { retrieve_from_pacs(elsewhere, k_round_study, "", folder / "none"); });
     EXPECT_FALSE(std::filesystem::exists(folder / "none"));
+}
+
+TEST(PacsOrthanc, SegmentationsReportsAndCapturesAreStoredAndComeBack) {
+    if (!orthanc_is_there()) GTEST_SKIP() << "skipped: Orthanc is not installed";
+    TemporaryFolder folder;
+    const int port = free_port();
+    Orthanc orthanc(folder.path(), modality(port));
+    PacsServer server = server_at(orthanc.port(), "ORTHANC");
+    ASSERT_TRUE(orthanc.wait(server)) << get_file(folder / "log.txt");
+    write_round_trip_series(folder.path());
+    const std::string input = (folder / "in").string();
+    const auto source = find_dicom_source(input, {});
+    ASSERT_NE(source, nullptr);
+    const GridGeometry grid = open_volume(input).geometry();
+    const auto voxels = std::size_t(grid.voxel_count());
+    const MaskVolume part{grid, std::make_shared<std::vector<std::uint8_t>>(voxels, std::uint8_t(1))};
+    const LabelVolume labels{grid, std::make_shared<std::vector<std::uint32_t>>(voxels, 0u)};
+    (*labels.labels)[7] = 1;
+    const DicomProvenance made{"seed", "Lacuna", "0", "part"};
+    const std::string tracking = "2.25.77";
+    write_dicom_segmentation(part, labels,
+                             {{"Part", "part", "", {}, {0, 0, 0}, grid.size - 1, ""},
+                              {"Defect 1", "void", "", {1}, {0, 0, 0}, grid.size - 1, tracking}},
+                             *source, made, folder / "seg.dcm");
+    write_dicom_report({{"Defect 1", tracking, "void", 2, {{DicomQuantity::volume_mm3, 0.25}}, {}}}, {}, "HU", *source,
+                       made, folder / "sr.dcm");
+    const std::vector<std::uint8_t> grey(3 * 8 * 8, 90);
+    write_dicom_capture({8, 8}, grey, *source, made, folder / "capture.dcm");
+    const PacsTransfer sent = send_to_pacs(server, {folder / "seg.dcm", folder / "sr.dcm", folder / "capture.dcm"});
+    EXPECT_EQ(sent.done, 3);
+    EXPECT_EQ(sent.failed, 0);
+    EXPECT_EQ(find_pacs_series(server, k_round_study).rows.size(), 3u);
+    for (const bool move : {false, true}) {
+        server.receiver = {move, "127.0.0.1", port};
+        const auto out = folder / (move ? "moved" : "got");
+        EXPECT_EQ(retrieve_from_pacs(server, k_round_study, "", out).done, 3);
+        std::set<std::string> kinds;
+        for (const auto& file : std::filesystem::directory_iterator(out)) {
+            DcmFileFormat format;
+            ASSERT_TRUE(format.loadFile(file.path().c_str()).good());
+            kinds.insert(dicom::text_of(*format.getDataset(), DCM_SOPClassUID));
+        }
+        EXPECT_EQ(kinds.size(), 3u) << move;
+    }
 }
 
 TEST(PacsOrthanc, CMoveComesOverTls) {
