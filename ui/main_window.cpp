@@ -8,10 +8,12 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "ui/dropped_files.h"
 #include "ui/features/colours_feature.h"
 #include "ui/features/import_feature.h"
 #include "ui/features/pacs_feature.h"
 #include "ui/features/presets_feature.h"
+#include "ui/features/recent_feature.h"
 #include "ui/features/view_history_feature.h"
 #include "ui/preferences.h"
 #include "ui/series_dialog.h"
@@ -105,6 +107,7 @@ void MainWindow::buildFeatures() {
     batch_ = new BatchFeature(*bench_);
     session_ = new SessionFeature(*bench_, *inspection_, *regions_);
     connect(session_, &SessionFeature::restored, view_history, &ViewHistoryFeature::reset);
+    new RecentFeature(*bench_, *session_);
     accuracy_ = new AccuracyFeature(*bench_);
     render_panel_->append(accuracy_->budget());
     limits_ = new LimitsFeature(*bench_);
@@ -364,13 +367,31 @@ void MainWindow::readOutCursor() {
     readOut(nearest_voxel(document.volume.geometry(), document.cursor_mm));
 }
 
+namespace {
+
+QStringList local_files(const QMimeData* data) {
+    QStringList files;
+    for (const QUrl& url : data->urls())
+        if (url.isLocalFile()) files << url.toLocalFile();
+    return files;
+}
+
+}  // namespace
+
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile()) event->acceptProposedAction();
+    if (!local_files(event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
+    const QStringList files = local_files(event->mimeData());
+    if (files.isEmpty()) return;
     event->acceptProposedAction();
-    openInput(event->mimeData()->urls().front().toLocalFile());
+    const Dropped dropped = dropped_input(files);
+    openInput(dropped.input);
+    if (dropped.whole_folder)
+        messages_->showNotice(tr("These are slices: their whole folder is opened."));
+    else if (dropped.left_out > 0)
+        messages_->showNotice(tr("One thing is open at a time: %n others are left out.", nullptr, dropped.left_out));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -42,6 +42,18 @@ TEST_F(ExportTest, ThePictureIsTheOneShown) {
     EXPECT_GT(difference(with, without), 0.001);
 }
 
+TEST_F(ExportTest, ATiffHoldsTheSamePictureAsAPng) {
+    for (const bool annotated : {false, true}) {
+        window->views()->slice(SliceKind::coronal)->setFocus();
+        ASSERT_TRUE(wrote([&] { exports()->savePicture(path("a.png"), annotated); }));
+        ASSERT_TRUE(wrote([&] { exports()->savePicture(path("a.tif"), annotated); }))
+            << window->messageBar()->text().toStdString();
+        const QImage png(path("a.png")), tiff(path("a.tif"));
+        ASSERT_FALSE(tiff.isNull());
+        EXPECT_EQ(tiff.convertToFormat(QImage::Format_RGB32), png.convertToFormat(QImage::Format_RGB32)) << annotated;
+    }
+}
+
 TEST_F(ExportTest, AnEndingThatIsNoPictureIsSaid) {
     exports()->savePicture(path("a.bmp"), true);
     ASSERT_TRUE(QTest::qWaitFor([this] { return window->messageBar()->text().contains(QStringLiteral(".png")); },

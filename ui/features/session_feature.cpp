@@ -205,6 +205,7 @@ void SessionFeature::openFile(const QString& file) {
 
 void SessionFeature::start(Session session, const QString& file) {
     pending_file_ = file == lastFile() ? QString() : file;  // that one is not the user's
+    if (!pending_file_.isEmpty()) Q_EMIT chosen(pending_file_);
     const QString input = QString::fromStdString(session.input);
     const OpenOptions options = session.options;
     pending_ = std::move(session);

@@ -42,6 +42,7 @@ public Q_SLOTS:
 
 Q_SIGNALS:
     void saved(const QString& file);
+    void chosen(const QString& file);  ///< a session of the user's own is being opened
     void restored();  ///< a session is shown as it was left, but for an inspection and regions that are found again
     void autosaved();
 
