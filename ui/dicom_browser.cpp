@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <functional>
 
+#include "ui/core_sentences.h"
 #include "ui/file_choice.h"
 #include "ui/preferences.h"
 #include "ui/tab_chain.h"
@@ -19,7 +20,7 @@ namespace lacuna::ui {
 namespace {
 
 constexpr int k_picture_edge = 64, k_columns = 5;
-enum Role { k_folder = Qt::UserRole + 1, k_uid, k_series_index };
+enum Role { k_folder = Qt::UserRole + 1, k_uid };
 
 /// A stored date, YYYYMMDD, as the locale writes it; what is none as it is.
 QString date_text(const std::string& stored) {
@@ -58,7 +59,8 @@ QList<QStandardItem*> study_row(const CatalogueStudy& study) {
     return row_of({words, date_text(study.date), kinds.join(QStringLiteral(", ")), QString::number(images)});
 }
 
-QList<QStandardItem*> series_row(const CatalogueSeries& series, int index) {
+/// @param blank  rows do not jump when the picture comes
+QList<QStandardItem*> series_row(const CatalogueSeries& series, const QIcon& blank) {
     QString words = QString::fromStdString(series.description);
     if (words.isEmpty()) words = DicomBrowser::tr("(no description)");
     if (series.number > 0) words = QStringLiteral("%1  ").arg(series.number) + words;
@@ -68,9 +70,6 @@ QList<QStandardItem*> series_row(const CatalogueSeries& series, int index) {
         row_of({words, {}, QString::fromStdString(series.modality), QString::number(series.images), size});
     row[0]->setData(QString::fromStdString(folder_of(series).string()), k_folder);
     row[0]->setData(QString::fromStdString(series.uid), k_uid);
-    row[0]->setData(index, k_series_index);
-    QPixmap blank(k_picture_edge, k_picture_edge);
-    blank.fill(Qt::transparent);  // rows do not jump when the picture comes
     row[0]->setIcon(blank);
     return row;
 }
@@ -195,7 +194,7 @@ void DicomBrowser::look(const QString& input) {
         [this](Outcome<Catalogue> outcome) {
             if (const Error* error = std::get_if<Error>(&outcome)) {
                 status_->setText(error->code() == Errc::cancelled ? tr("Stopped; this is what was found until then.")
-                                                                  : QString::fromStdString(error->what()));
+                                                                  : core_sentence(error->what()));
             } else {
                 showCatalogue(std::get<0>(outcome));
                 say(catalogue_, true);
@@ -207,14 +206,21 @@ void DicomBrowser::look(const QString& input) {
 
 void DicomBrowser::showCatalogue(const Catalogue& catalogue) {
     catalogue_ = catalogue;
+    series_items_.clear();
     model_->clear();
     model_->setHorizontalHeaderLabels({tr("Name"), tr("Date"), tr("Kind"), tr("Images"), tr("Size")});
-    int index = 0;
+    QPixmap transparent(k_picture_edge, k_picture_edge);
+    transparent.fill(Qt::transparent);
+    const QIcon blank(transparent);
     for (const CataloguePatient& patient : catalogue_.patients) {
         const auto of_patient = patient_row(patient, model_->rowCount() + 1);
         for (const CatalogueStudy& study : patient.studies) {
             const auto of_study = study_row(study);
-            for (const CatalogueSeries& series : study.series) of_study[0]->appendRow(series_row(series, index++));
+            for (const CatalogueSeries& series : study.series) {
+                const auto of_series = series_row(series, blank);
+                series_items_.push_back(of_series[0]);
+                of_study[0]->appendRow(of_series);
+            }
             of_patient[0]->appendRow(of_study);
         }
         model_->appendRow(of_patient);
@@ -242,10 +248,8 @@ void DicomBrowser::addPictures() {
                 QMetaObject::invokeMethod(
                     this,
                     [this, thumbnail, index, stop = job.stop] {
-                        if (stop.stop_requested()) return;
-                        const auto found = model_->match(model_->index(0, 0), k_series_index, index, 1,
-                                                         Qt::MatchExactly | Qt::MatchRecursive);
-                        if (!found.isEmpty()) model_->itemFromIndex(found.front())->setIcon(picture_of(thumbnail));
+                        if (!stop.stop_requested() && std::size_t(index) < series_items_.size())
+                            series_items_[std::size_t(index)]->setIcon(picture_of(thumbnail));
                     },
                     Qt::QueuedConnection);
             });

@@ -51,6 +51,7 @@ private:
     QLabel* status_;
     QPushButton* open_;
     QStandardItemModel* model_;
+    std::vector<QStandardItem*> series_items_;  ///< of the model, in the catalogue's order
     QSortFilterProxyModel* filter_;
     Task<Catalogue> scan_;
     LatestJob<int> pictures_;
