@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "core/io/dicom_catalogue.h"
+#include "ui/core_sentences.h"
 #include "ui/file_choice.h"
 #include "ui/pacs_server_dialog.h"
 #include "ui/preferences.h"
@@ -202,8 +203,7 @@ template <class T>
 bool PacsDialog::failed(const Outcome<T>& outcome) {
     const Error* error = std::get_if<Error>(&outcome);
     if (!error) return false;
-    status_->setText(error->code() == Errc::cancelled ? PacsDialog::tr("Cancelled.")
-                                                      : QString::fromStdString(error->what()));
+    status_->setText(error->code() == Errc::cancelled ? PacsDialog::tr("Cancelled.") : core_sentence(error->what()));
     return true;
 }
 
@@ -311,7 +311,7 @@ void PacsDialog::retrieve(const QString& folder) {
                 const PacsTransfer& transfer = std::get<0>(outcome);
                 QString words = tr("%n files retrieved.", nullptr, transfer.done);
                 if (transfer.failed > 0) words += tr(" The server could not send %n.", nullptr, transfer.failed);
-                if (!transfer.fault.empty()) words += tr(" It is not all: %1").arg(text(transfer.fault));
+                if (!transfer.fault.empty()) words += tr(" It is not all: %1").arg(core_sentence(transfer.fault));
                 status_->setText(words);
                 Q_EMIT retrieved(folder);
             }

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/core_sentences.h"
+
 namespace lacuna::ui {
 
 namespace {
@@ -252,7 +254,7 @@ void RawImportDialog::propose() {
                      [this](Outcome<std::vector<RawGuess>> outcome) {
                          if (const Error* error = std::get_if<Error>(&outcome)) {
                              list_->clear();
-                             size_line_->setText(QString::fromStdString(error->what()));
+                             size_line_->setText(core_sentence(error->what()));
                          } else {
                              showProposals(std::get<0>(outcome));
                          }

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QPushButton>
 
+#include "ui/core_sentences.h"
 #include "ui/theme.h"
 
 namespace lacuna::ui {
@@ -23,7 +24,7 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), row_(new QHBoxLayout(t
     hide();
 }
 
-void MessageBar::showError(const QString& sentence) { showText(sentence, true); }
+void MessageBar::showError(const QString& sentence) { showText(core_sentence(sentence), true); }
 void MessageBar::showNotice(const QString& sentence) { showText(sentence, false); }
 
 void MessageBar::dismiss() {
