@@ -2,6 +2,141 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>CoreSentence</name>
+    <message>
+        <source>Cannot open &apos;%1&apos;: there is no such file or folder.</source>
+        <translation>%1 kann nicht geöffnet werden: Es gibt keine solche Datei und keinen solchen Ordner.</translation>
+    </message>
+    <message>
+        <source>Cannot open %1: there is no such file or folder.</source>
+        <translation>%1 kann nicht geöffnet werden: Es gibt keine solche Datei und keinen solchen Ordner.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is empty (0 bytes); copy it again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei ist leer (0 Bytes); bitte neu kopieren.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: of packed files only .nii.gz is read; unpack it first.</source>
+        <translation>%1 kann nicht gelesen werden: Von gepackten Dateien wird nur .nii.gz gelesen; bitte erst entpacken.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: the folder holds no DICOM images and no TIFF slices.</source>
+        <translation>%1 kann nicht gelesen werden: Der Ordner enthält weder DICOM-Bilder noch TIFF-Schichten.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: this DICOM file holds no image.</source>
+        <translation>%1 kann nicht gelesen werden: Diese DICOM-Datei enthält kein Bild.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is no DICOMDIR, or a damaged one; open its folder.</source>
+        <translation>%1 kann nicht gelesen werden: Es ist kein DICOMDIR oder ein beschädigter; bitte den Ordner öffnen.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is neither DICOM nor named .mhd .mha .nrrd .nhdr .nii .nii.gz .tif .tiff .raw .img .vol .dat or .vgi; give --raw if it is a raw volume.</source>
+        <translation>%1 kann nicht gelesen werden: Es ist kein DICOM und heißt auch nicht .mhd .mha .nrrd .nhdr .nii .nii.gz .tif .tiff .raw .img .vol .dat oder .vgi; ein rohes Volumen lässt sich über das Menü Datei importieren.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: the DICOM header of %2 is cut short or damaged; copy or export the files again.</source>
+        <translation>%1 kann nicht gelesen werden: Der DICOM-Kopf von %2 ist abgeschnitten oder beschädigt; bitte die Dateien neu kopieren oder ausgeben.</translation>
+    </message>
+    <message>
+        <source>The folder %1 is empty; name one that holds DICOM images.</source>
+        <translation>Der Ordner %1 ist leer; bitte einen mit DICOM-Bildern nennen.</translation>
+    </message>
+    <message>
+        <source>The folder %1 holds no DICOM images; name one that does.</source>
+        <translation>Der Ordner %1 enthält keine DICOM-Bilder; bitte einen mit DICOM-Bildern nennen.</translation>
+    </message>
+    <message>
+        <source>The folder %1 holds no DICOM images but %2; name the file.</source>
+        <translation>Der Ordner %1 enthält keine DICOM-Bilder, sondern %2; bitte die Datei nennen.</translation>
+    </message>
+    <message>
+        <source>No DICOM image could be opened under %1: permission denied for %2; ask for the right to read it.</source>
+        <translation>Unter %1 konnte kein DICOM-Bild geöffnet werden: Der Zugriff auf %2 ist verweigert; bitte um das Leserecht bitten.</translation>
+    </message>
+    <message>
+        <source>The volume takes %1 MB of memory, but only %2 MB may be used.</source>
+        <translation>Das Volumen braucht %1 MB Speicher, aber nur %2 MB dürfen benutzt werden.</translation>
+    </message>
+    <message>
+        <source>Cannot allocate %1 bytes for the voxels; close other programs or use a smaller volume.</source>
+        <translation>Für die Voxel sind keine %1 Bytes Speicher frei; bitte andere Programme schließen oder ein kleineres Volumen nehmen.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: the folder %2 does not exist; create it first.</source>
+        <translation>%1 kann nicht geschrieben werden: Den Ordner %2 gibt es nicht; bitte erst anlegen.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: it is no folder; name another one.</source>
+        <translation>%1 kann nicht geschrieben werden: Das ist kein Ordner; bitte einen anderen nennen.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: the folder is not empty; name a new one, so that nothing is mixed.</source>
+        <translation>%1 kann nicht geschrieben werden: Der Ordner ist nicht leer; bitte einen neuen nennen, damit sich nichts vermischt.</translation>
+    </message>
+    <message>
+        <source>There is no DICOM image to anonymise; name a DICOM folder or file.</source>
+        <translation>Es gibt kein DICOM-Bild zu anonymisieren; bitte einen DICOM-Ordner oder eine Datei nennen.</translation>
+    </message>
+    <message>
+        <source>%1 is no session of Lacuna.</source>
+        <translation>%1 ist keine Sitzung von Lacuna.</translation>
+    </message>
+    <message>
+        <source>%1 refuses the connection; check that the server runs and that the port is right.</source>
+        <translation>%1 weist die Verbindung ab; bitte prüfen, ob der Server läuft und der Port stimmt.</translation>
+    </message>
+    <message>
+        <source>%1 does not answer; check address, port and firewall.</source>
+        <translation>%1 antwortet nicht; bitte Adresse, Port und Firewall prüfen.</translation>
+    </message>
+    <message>
+        <source>There is no host named %1; check the server&apos;s address.</source>
+        <translation>Es gibt keinen Rechner namens %1; bitte die Adresse des Servers prüfen.</translation>
+    </message>
+    <message>
+        <source>The server %1 refuses the association; check that its AE title is %2 and that it knows this program as %3.</source>
+        <translation>Der Server %1 weist die Assoziation ab; bitte prüfen, ob sein AE-Titel %2 ist und ob er dieses Programm als %3 kennt.</translation>
+    </message>
+    <message>
+        <source>The server %1 fell silent for %2 s; try again, or allow it more time.</source>
+        <translation>Der Server %1 schwieg %2 s lang; bitte noch einmal versuchen oder ihm mehr Zeit geben.</translation>
+    </message>
+    <message>
+        <source>The server %1 ended the connection; check that it is a DICOM server and takes connections of this program.</source>
+        <translation>Der Server %1 hat die Verbindung beendet; bitte prüfen, ob er ein DICOM-Server ist und Verbindungen dieses Programms annimmt.</translation>
+    </message>
+    <message>
+        <source>The server %1 does not offer %2.</source>
+        <translation>Der Server %1 bietet dies nicht an: %2.</translation>
+    </message>
+    <message>
+        <source>What answers at %1 is no DICOM server, or does not speak as one (%2).</source>
+        <translation>Was bei %1 antwortet, ist kein DICOM-Server oder spricht nicht wie einer (%2).</translation>
+    </message>
+    <message>
+        <source>The secure connection to %1 failed (%2); check that it speaks TLS there and that its certificate is trusted.</source>
+        <translation>Die sichere Verbindung zu %1 ist gescheitert (%2); bitte prüfen, ob dort TLS gesprochen wird und ob dem Zertifikat vertraut wird.</translation>
+    </message>
+    <message>
+        <source>A secure connection needs the certificates to trust; name their PEM file.</source>
+        <translation>Eine sichere Verbindung braucht die vertrauten Zertifikate; bitte ihre PEM-Datei nennen.</translation>
+    </message>
+    <message>
+        <source>The AE title &apos;%1&apos; is none: 1 to 16 characters without spaces and backslashes.</source>
+        <translation>Der AE-Titel &apos;%1&apos; ist keiner: 1 bis 16 Zeichen ohne Leerzeichen und Rückstriche.</translation>
+    </message>
+    <message>
+        <source>The server has no address; enter its host name or IP address.</source>
+        <translation>Der Server hat keine Adresse; bitte seinen Rechnernamen oder seine IP-Adresse eingeben.</translation>
+    </message>
+    <message>
+        <source>The server sent nothing for this; it may have been removed there.</source>
+        <translation>Der Server hat hierzu nichts geschickt; vielleicht wurde es dort entfernt.</translation>
+    </message>
+</context>
+<context>
     <name>Gestures</name>
     <message>
         <source>3D view</source>
@@ -330,6 +465,817 @@
     <message>
         <source>Previous or next view</source>
         <translation>Vorige oder nächste Ansicht</translation>
+    </message>
+</context>
+<context>
+    <name>Limits</name>
+    <message>
+        <source>Walls between two samples</source>
+        <translation>Wände zwischen zwei Abtastpunkten</translation>
+    </message>
+    <message>
+        <source>A wall thinner than the step can lie between two samples that are both outside: the ray goes through it.</source>
+        <translation>Eine Wand, dünner als die Schrittweite, kann zwischen zwei Abtastpunkten liegen, die beide außerhalb sind: Der Strahl geht hindurch.</translation>
+    </message>
+    <message>
+        <source>the refinement `cubic` solves every cell the ray crosses; `--step` below the wall&apos;s thickness does as well.</source>
+        <translation>die Verfeinerung `cubic` löst jede Zelle, die der Strahl durchquert; `--step` unter der Wanddicke hilft ebenso.</translation>
+    </message>
+    <message>
+        <source>samples miss a wall of thickness w, crossed at an angle a to its normal, with probability 1 - w/(s cos a) at step s, for 0.1 to 1 voxel and up to 85 degrees; solved cells miss none, by any structure, and are off by under 0.002 voxels.</source>
+        <translation>Abtastung verfehlt eine Wand der Dicke w, unter dem Winkel a zu ihrer Normalen durchquert, mit der Wahrscheinlichkeit 1 - w/(s cos a) bei Schrittweite s, für 0,1 bis 1 Voxel und bis 85 Grad; gelöste Zellen verfehlen keine, mit keiner Struktur, und liegen unter 0,002 Voxel daneben.</translation>
+    </message>
+    <message>
+        <source>No structure or refinement adds to it</source>
+        <translation>Keine Struktur oder Verfeinerung verschlimmert es</translation>
+    </message>
+    <message>
+        <source>A skipped cell or a bad bracket could lose a wall that the samples do find.</source>
+        <translation>Eine übersprungene Zelle oder eine schlechte Klammer könnte eine Wand verlieren, die die Abtastpunkte finden.</translation>
+    </message>
+    <message>
+        <source>structures skip only cells whose smallest and largest values lie on one side; refinements keep their bracket.</source>
+        <translation>Strukturen überspringen nur Zellen, deren kleinster und größter Wert auf einer Seite liegen; Verfeinerungen behalten ihre Klammer.</translation>
+    </message>
+    <message>
+        <source>the same pixels are hit by every structure with every refinement; the depth is within a step unrefined, within step/2^(n+1) bisected.</source>
+        <translation>mit jeder Struktur und jeder Verfeinerung werden dieselben Pixel getroffen; die Tiefe stimmt unverfeinert auf einen Schritt, halbiert auf Schritt/2^(n+1).</translation>
+    </message>
+    <message>
+        <source>No refinement</source>
+        <translation>Keine Verfeinerung</translation>
+    </message>
+    <message>
+        <source>Without refinement the surface is drawn at the first sample behind it: it recedes, and shows rings.</source>
+        <translation>Ohne Verfeinerung wird die Oberfläche am ersten Abtastpunkt dahinter gezeichnet: Sie weicht zurück und zeigt Ringe.</translation>
+    </message>
+    <message>
+        <source>`--refine` other than `none`.</source>
+        <translation>`--refine` anders als `none`.</translation>
+    </message>
+    <message>
+        <source>off by up to a step, half a step on average: first order in the step.</source>
+        <translation>bis zu einen Schritt daneben, im Mittel einen halben: erste Ordnung in der Schrittweite.</translation>
+    </message>
+    <message>
+        <source>Regula falsi stalls</source>
+        <translation>Regula falsi bleibt stehen</translation>
+    </message>
+    <message>
+        <source>As published, one end of the bracket stays where the signal is convex along the ray, and more steps change nothing.</source>
+        <translation>Wie veröffentlicht, bleibt ein Ende der Klammer stehen, wo das Signal entlang des Strahls konvex ist, und weitere Schritte ändern nichts.</translation>
+    </message>
+    <message>
+        <source>`regula-falsi` halves the kept end&apos;s weight (Illinois); `regula-falsi-plain` is the method as published.</source>
+        <translation>`regula-falsi` halbiert das Gewicht des behaltenen Endes (Illinois); `regula-falsi-plain` ist das Verfahren wie veröffentlicht.</translation>
+    </message>
+    <message>
+        <source>plain: off by over a fifth of a millimetre at a step of 8 after 64 steps; guarded: within 0.001 mm after 16.</source>
+        <translation>unverändert: nach 64 Schritten über ein Fünftel Millimeter daneben bei Schrittweite 8; mit Schutz: nach 16 auf 0,001 mm.</translation>
+    </message>
+    <message>
+        <source>Newton at tangent rays</source>
+        <translation>Newton an streifenden Strahlen</translation>
+    </message>
+    <message>
+        <source>Where a ray all but touches the surface the slope along it all but vanishes, and textbook Newton runs off.</source>
+        <translation>Wo ein Strahl die Oberfläche fast nur berührt, verschwindet die Steigung entlang des Strahls fast, und Newton nach Lehrbuch läuft davon.</translation>
+    </message>
+    <message>
+        <source>the first estimate is the secant&apos;s, from which concave signals are met from the inside.</source>
+        <translation>die erste Schätzung ist die der Sekante, von der aus konkave Signale von innen erreicht werden.</translation>
+    </message>
+    <message>
+        <source>textbook Newton fails on most such rays; started at the secant none leaves its bracket, and depths are within 0.001 voxels.</source>
+        <translation>Newton nach Lehrbuch versagt bei den meisten solcher Strahlen; von der Sekante aus verlässt keiner seine Klammer, und Tiefen stimmen auf 0,001 Voxel.</translation>
+    </message>
+    <message>
+        <source>Newton beside flat signals</source>
+        <translation>Newton neben flachen Signalen</translation>
+    </message>
+    <message>
+        <source>Beside an edge narrower than a step the signal is flat: there is no slope to go by.</source>
+        <translation>Neben einer Kante, schmaler als ein Schritt, ist das Signal flach: Es gibt keine Steigung, nach der man gehen könnte.</translation>
+    </message>
+    <message>
+        <source>an estimate that leaves the bracket is replaced by its middle and counted.</source>
+        <translation>eine Schätzung, die die Klammer verlässt, wird durch deren Mitte ersetzt und gezählt.</translation>
+    </message>
+    <message>
+        <source>off by half a step at most.</source>
+        <translation>höchstens einen halben Schritt daneben.</translation>
+    </message>
+    <message>
+        <source>The grid&apos;s own error</source>
+        <translation>Der Fehler des Gitters selbst</translation>
+    </message>
+    <message>
+        <source>Between voxels the signal is trilinear, a curved surface is not.</source>
+        <translation>Zwischen Voxeln ist das Signal trilinear, eine gekrümmte Oberfläche nicht.</translation>
+    </message>
+    <message>
+        <source>finer voxels only.</source>
+        <translation>nur feinere Voxel.</translation>
+    </message>
+    <message>
+        <source>second order in the voxel size (slope within 0.15 of 2), on the device and in the reference.</source>
+        <translation>zweite Ordnung in der Voxelgröße (Steigung auf 0,15 bei 2), auf dem Gerät und in der Referenz.</translation>
+    </message>
+    <message>
+        <source>Peaks between two samples</source>
+        <translation>Spitzen zwischen zwei Abtastpunkten</translation>
+    </message>
+    <message>
+        <source>A peak of the transfer function narrower than the values&apos; change over a step falls between two samples: its shell has holes or vanishes.</source>
+        <translation>Eine Spitze der Transferfunktion, schmaler als die Änderung der Werte über einen Schritt, fällt zwischen zwei Abtastpunkte: Ihre Schale hat Löcher oder verschwindet.</translation>
+    </message>
+    <message>
+        <source>`--integration preintegrated` draws every value between two samples.</source>
+        <translation>`--integration preintegrated` zeichnet jeden Wert zwischen zwei Abtastpunkten.</translation>
+    </message>
+    <message>
+        <source>points are off by over 20 of 255 levels for a peak a tenth of a step wide, segments by less than 3.</source>
+        <translation>Punkte liegen für eine Spitze von einem Zehntel Schritt über 20 von 255 Stufen daneben, Segmente unter 3.</translation>
+    </message>
+    <message>
+        <source>Peaks narrower than a table&apos;s entry</source>
+        <translation>Spitzen schmaler als ein Tabelleneintrag</translation>
+    </message>
+    <message>
+        <source>The table of pre-integrated segments has 512 x 512 entries over the span between the function&apos;s outermost points: narrower peaks are smeared.</source>
+        <translation>Die Tabelle der vorintegrierten Segmente hat 512 x 512 Einträge über die Spanne zwischen den äußersten Punkten der Funktion: Schmalere Spitzen werden verschmiert.</translation>
+    </message>
+    <message>
+        <source>the extinction of every entry is integrated exactly, so that opacity survives the smear.</source>
+        <translation>die Schwächung jedes Eintrags wird exakt integriert, sodass die Deckkraft das Verschmieren übersteht.</translation>
+    </message>
+    <message>
+        <source>opacity within a fifth for a peak a twentieth of an entry wide.</source>
+        <translation>Deckkraft auf ein Fünftel genau für eine Spitze von einem Zwanzigstel eines Eintrags.</translation>
+    </message>
+    <message>
+        <source>Layers between two samples of like value</source>
+        <translation>Schichten zwischen gleichen Abtastwerten</translation>
+    </message>
+    <message>
+        <source>Both forms of integration know nothing of a layer of voxels between two samples: its values are neither of theirs.</source>
+        <translation>Beide Arten der Integration wissen nichts von einer Voxelschicht zwischen zwei Abtastpunkten: Ihre Werte sind keiner der beiden.</translation>
+    </message>
+    <message>
+        <source>a step below the layer&apos;s thickness meets it on every ray.</source>
+        <translation>eine Schrittweite unter der Schichtdicke trifft sie auf jedem Strahl.</translation>
+    </message>
+    <message>
+        <source>a layer one voxel thick is lost wholly on some rays at a step of two, on none at one half; a share of 1 - w/s as for walls.</source>
+        <translation>eine Schicht von einem Voxel geht bei Schrittweite zwei auf manchen Strahlen ganz verloren, bei einem halben auf keinem; ein Anteil von 1 - w/s wie bei Wänden.</translation>
+    </message>
+    <message>
+        <source>The step&apos;s own error</source>
+        <translation>Der Fehler der Schrittweite selbst</translation>
+    </message>
+    <message>
+        <source>A sum over samples is not the integral.</source>
+        <translation>Eine Summe über Abtastpunkte ist nicht das Integral.</translation>
+    </message>
+    <message>
+        <source>`--verify-against fine` measures it.</source>
+        <translation>`--verify-against fine` misst ihn.</translation>
+    </message>
+    <message>
+        <source>second order in the step (slope within 0.15 of 2).</source>
+        <translation>zweite Ordnung in der Schrittweite (Steigung auf 0,15 bei 2).</translation>
+    </message>
+    <message>
+        <source>Early termination before a bright core</source>
+        <translation>Früher Abbruch vor einem hellen Kern</translation>
+    </message>
+    <message>
+        <source>A ray ends when opacity exceeds 1 - E; a bright core behind a dense veil is lost.</source>
+        <translation>Ein Strahl endet, wenn die Deckkraft 1 - E übersteigt; ein heller Kern hinter einem dichten Schleier geht verloren.</translation>
+    </message>
+    <message>
+        <source>`--ert` states E; the plan&apos;s `why` the levels.</source>
+        <translation>`--ert` nennt E; das `why` des Plans nennt die Stufen.</translation>
+    </message>
+    <message>
+        <source>at most 255 E grey levels, 306 E under Phong shading: 0.6 at the default.</source>
+        <translation>höchstens 255 E Graustufen, mit Phong-Schattierung 306 E: 0,6 bei der Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>Opacity of a step</source>
+        <translation>Deckkraft eines Schritts</translation>
+    </message>
+    <message>
+        <source>Opacity taken a sample instead of a length doubles when the step is halved.</source>
+        <translation>Deckkraft je Abtastpunkt statt je Länge verdoppelt sich, wenn der Schritt halbiert wird.</translation>
+    </message>
+    <message>
+        <source>a step of length d has 1-(1-a)^(d/unit), for voxels of any size.</source>
+        <translation>ein Schritt der Länge d hat 1-(1-a)^(d/unit), für Voxel jeder Größe.</translation>
+    </message>
+    <message>
+        <source>within 0.0005 of the closed form at steps of 1/8 to 1 voxel, and for voxels of 1e-6 and 1e6 mm.</source>
+        <translation>auf 0,0005 an der geschlossenen Form bei Schritten von 1/8 bis 1 Voxel und für Voxel von 1e-6 und 1e6 mm.</translation>
+    </message>
+    <message>
+        <source>Opacity at extreme scales</source>
+        <translation>Deckkraft bei äußersten Maßstäben</translation>
+    </message>
+    <message>
+        <source>With voxels a millionth or a million times the unit distance the powers over- or underflow.</source>
+        <translation>Bei Voxeln vom Millionstel oder Millionenfachen der Bezugslänge laufen die Potenzen über oder unter.</translation>
+    </message>
+    <message>
+        <source>lengths enter as ratios.</source>
+        <translation>Längen gehen als Verhältnisse ein.</translation>
+    </message>
+    <message>
+        <source>the same picture within half a level by every structure; a film or a wall where the unit stays, never NaN.</source>
+        <translation>dasselbe Bild auf eine halbe Stufe mit jeder Struktur; Film oder Wand, wo die Bezugslänge bleibt, nie NaN.</translation>
+    </message>
+    <message>
+        <source>One-voxel spots</source>
+        <translation>Flecken von einem Voxel</translation>
+    </message>
+    <message>
+        <source>The brightest (darkest) value of a spot lies between two samples, and less of it is shown.</source>
+        <translation>Der hellste (dunkelste) Wert eines Flecks liegt zwischen zwei Abtastpunkten, und weniger von ihm wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>`--sampler nearest` shows every spot a ray goes through whole, at a step of up to one voxel.</source>
+        <translation>`--sampler nearest` zeigt jeden Fleck, durch den ein Strahl geht, ganz, bei Schrittweiten bis zu einem Voxel.</translation>
+    </message>
+    <message>
+        <source>a sample lies up to half a step off: 1 - prod(1 - s|d_i|/2) of the height along direction d; 25 % along an axis at half a voxel, 37 % along the diagonal. Measured 10 % and more at a quarter, 22 % at half, 35 % at one voxel, for spacing 1:1:1 and 1:1:5.</source>
+        <translation>ein Abtastpunkt liegt bis zu einem halben Schritt daneben: 1 - prod(1 - s|d_i|/2) der Höhe entlang der Richtung d; 25 % entlang einer Achse bei einem halben Voxel, 37 % entlang der Diagonalen. Gemessen 10 % und mehr bei einem viertel, 22 % bei einem halben, 35 % bei einem Voxel, für Abstände 1:1:1 und 1:1:5.</translation>
+    </message>
+    <message>
+        <source>No structure loses more of a spot</source>
+        <translation>Keine Struktur verliert mehr von einem Fleck</translation>
+    </message>
+    <message>
+        <source>A cell taken for one without a winner hides the winner.</source>
+        <translation>Eine Zelle, die für eine ohne Sieger gehalten wird, verbirgt den Sieger.</translation>
+    </message>
+    <message>
+        <source>cells carry the largest and smallest value of every voxel their samples can touch.</source>
+        <translation>Zellen tragen den kleinsten und größten Wert jedes Voxels, den ihre Abtastpunkte berühren können.</translation>
+    </message>
+    <message>
+        <source>the same picture within half a level by every structure.</source>
+        <translation>dasselbe Bild auf eine halbe Stufe mit jeder Struktur.</translation>
+    </message>
+    <message>
+        <source>Local maxima just above the threshold</source>
+        <translation>Örtliche Maxima knapp über der Schwelle</translation>
+    </message>
+    <message>
+        <source>LMIP passes over a local maximum that exceeds the threshold between two samples only.</source>
+        <translation>LMIP übergeht ein örtliches Maximum, das die Schwelle nur zwischen zwei Abtastpunkten übersteigt.</translation>
+    </message>
+    <message>
+        <source>`--sampler nearest`, or a threshold lower by the share that spots lose.</source>
+        <translation>`--sampler nearest`, oder eine Schwelle, die um den Anteil niedriger ist, den Flecken verlieren.</translation>
+    </message>
+    <message>
+        <source>a spot of 220 is passed over at threshold 200 and step one half; nearest samples stop at it.</source>
+        <translation>ein Fleck von 220 wird bei Schwelle 200 und Schrittweite einhalb übergangen; nächste Voxel halten an ihm an.</translation>
+    </message>
+    <message>
+        <source>Borders of the 24 regions</source>
+        <translation>Grenzen der 24 Bereiche</translation>
+    </message>
+    <message>
+        <source>A direction with a component of exactly zero, or two of equal size, lies in two regions of viewing directions; lists made for one may lack what the other sees.</source>
+        <translation>Eine Richtung mit einer Komponente von genau null oder zwei gleich großen liegt in zwei Bereichen von Blickrichtungen; Listen für den einen können auslassen, was der andere sieht.</translation>
+    </message>
+    <message>
+        <source>both regions&apos; lists hold all that their common border sees.</source>
+        <translation>die Listen beider Bereiche enthalten alles, was ihre gemeinsame Grenze sieht.</translation>
+    </message>
+    <message>
+        <source>all 26 axis and diagonal directions, and 1e-9 beside each: depth within 0.6 voxel diagonals (linear) of rays.</source>
+        <translation>alle 26 Achsen- und Diagonalrichtungen und 1e-9 neben jeder: Tiefe auf 0,6 Voxeldiagonalen (linear) wie bei Strahlen.</translation>
+    </message>
+    <message>
+        <source>Slanted views by nearest voxels</source>
+        <translation>Schräge Ansichten mit nächsten Voxeln</translation>
+    </message>
+    <message>
+        <source>One voxel paints one pixel of the sheared slice: at 45 degrees up to a third of the resolution is lost, and depth is a staircase.</source>
+        <translation>Ein Voxel malt einen Pixel der gescherten Schicht: bei 45 Grad geht bis zu einem Drittel der Auflösung verloren, und die Tiefe ist eine Treppe.</translation>
+    </message>
+    <message>
+        <source>`--sampler linear`, which the still picture takes.</source>
+        <translation>`--sampler linear`, das das stehende Bild nimmt.</translation>
+    </message>
+    <message>
+        <source>nearest: within 1.6 voxel diagonals, 0.2 mm and more on average at 45 degrees; linear: 0.1 mm.</source>
+        <translation>nächste Voxel: auf 1,6 Voxeldiagonalen, bei 45 Grad im Mittel 0,2 mm und mehr; linear: 0,1 mm.</translation>
+    </message>
+    <message>
+        <source>Popping</source>
+        <translation>Springen</translation>
+    </message>
+    <message>
+        <source>Where the principal axis switches, the slices do, and the picture jumps.</source>
+        <translation>Wo die Hauptachse wechselt, wechseln die Schichten, und das Bild springt.</translation>
+    </message>
+    <message>
+        <source>none: it is the method&apos;s nature; ray casting has no such view.</source>
+        <translation>nichts: Es liegt im Verfahren; Strahlen kennen keine solche Ansicht.</translation>
+    </message>
+    <message>
+        <source>a turn of 0.02 degrees over the switch changes the picture more than twice as much as one beside it, by under 6 levels on average.</source>
+        <translation>eine Drehung um 0,02 Grad über den Wechsel ändert das Bild mehr als doppelt so sehr wie daneben, im Mittel um unter 6 Stufen.</translation>
+    </message>
+    <message>
+        <source>Perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>One shear serves parallel rays only.</source>
+        <translation>Eine Scherung dient nur parallelen Strahlen.</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s field of view is refused in one sentence.</source>
+        <translation>das Sichtfeld der Kamera wird in einem Satz abgelehnt.</translation>
+    </message>
+    <message>
+        <source>none is drawn.</source>
+        <translation>keine wird gezeichnet.</translation>
+    </message>
+    <message>
+        <source>A peak inside a homogeneous node</source>
+        <translation>Eine Spitze in einem homogenen Knoten</translation>
+    </message>
+    <message>
+        <source>The octree takes a node whose values differ by less than the threshold as its average; a narrow peak of the transfer function inside that range vanishes.</source>
+        <translation>Der Octree nimmt einen Knoten, dessen Werte sich um weniger als die Schwelle unterscheiden, als ihren Mittelwert; eine schmale Spitze der Transferfunktion in diesem Bereich verschwindet.</translation>
+    </message>
+    <message>
+        <source>threshold 0 is lossless; pc, acd and eacd compare opacities and colours instead; the plan&apos;s `why` says when a peak is narrower than the threshold, and the planner takes no thresholds.</source>
+        <translation>Schwelle 0 ist verlustfrei; pc, acd und eacd vergleichen statt dessen Deckkraft und Farbe; das `why` des Plans sagt, wenn eine Spitze schmaler als die Schwelle ist, und der Planer nimmt keine Schwellen.</translation>
+    </message>
+    <message>
+        <source>over 60 of 255 levels lost by values at a threshold of 15 voxels&apos; change; at most 6 by opacities at 0.02.</source>
+        <translation>über 60 von 255 Stufen verloren nach Werten, bei einer Schwelle von der Änderung über 15 Voxel; höchstens 6 nach Deckkraft bei 0,02.</translation>
+    </message>
+    <message>
+        <source>Thresholds too wide</source>
+        <translation>Zu weite Schwellen</translation>
+    </message>
+    <message>
+        <source>Regions whose opacities may differ by the threshold show as patches.</source>
+        <translation>Bereiche, deren Deckkraft sich um die Schwelle unterscheiden darf, zeigen sich als Flecken.</translation>
+    </message>
+    <message>
+        <source>0 is lossless.</source>
+        <translation>0 ist verlustfrei.</translation>
+    </message>
+    <message>
+        <source>255 T levels a unit distance; the error grows with the threshold.</source>
+        <translation>255 T Stufen je Bezugslänge; der Fehler wächst mit der Schwelle.</translation>
+    </message>
+    <message>
+        <source>Distances saturate at 31 voxels</source>
+        <translation>Abstände enden bei 31 Voxeln</translation>
+    </message>
+    <message>
+        <source>EACD has five bits an axis: large empty space is crossed in jumps of 31 voxels.</source>
+        <translation>EACD hat fünf Bit je Achse: großer leerer Raum wird in Sprüngen von 31 Voxeln durchquert.</translation>
+    </message>
+    <message>
+        <source>saturated, never wrapped; over macro-cells (the default) a jump is as many cells.</source>
+        <translation>gesättigt, nie übergelaufen; über Makrozellen (Voreinstellung) reicht ein Sprung so viele Zellen.</translation>
+    </message>
+    <message>
+        <source>at least one look-up in 31 voxels a ray, at most three times that; half as many over cells of 8^3. The picture is the same.</source>
+        <translation>mindestens eine Abfrage je 31 Voxel und Strahl, höchstens das Dreifache; halb so viele über Zellen von 8^3. Das Bild ist dasselbe.</translation>
+    </message>
+    <message>
+        <source>A field a voxel for large volumes</source>
+        <translation>Ein Feld je Voxel bei großen Volumen</translation>
+    </message>
+    <message>
+        <source>Eight distances a voxel need eight to sixteen bytes a voxel.</source>
+        <translation>Acht Abstände je Voxel brauchen acht bis sechzehn Byte je Voxel.</translation>
+    </message>
+    <message>
+        <source>before anything is allocated, naming the bytes and what fits.</source>
+        <translation>bevor etwas belegt wird, mit den nötigen Byte und dem, was passt.</translation>
+    </message>
+    <message>
+        <source>none is built.</source>
+        <translation>keines wird gebaut.</translation>
+    </message>
+    <message>
+        <source>Dense, faint data</source>
+        <translation>Dichte, schwache Daten</translation>
+    </message>
+    <message>
+        <source>Where most voxels are visible there is nothing to skip, and asking costs.</source>
+        <translation>Wo die meisten Voxel sichtbar sind, gibt es nichts zu überspringen, und Fragen kostet.</translation>
+    </message>
+    <message>
+        <source>a ray that can skip nothing asks once.</source>
+        <translation>ein Strahl, der nichts überspringen kann, fragt einmal.</translation>
+    </message>
+    <message>
+        <source>one look-up a ray where every cell is visible; leaping costs little more than nothing.</source>
+        <translation>eine Abfrage je Strahl, wo jede Zelle sichtbar ist; Sprünge kosten wenig mehr als nichts.</translation>
+    </message>
+    <message>
+        <source>Corners of cells</source>
+        <translation>Ecken von Zellen</translation>
+    </message>
+    <message>
+        <source>A ray through a corner or along a face of cells can loop, or jump a cell.</source>
+        <translation>Ein Strahl durch eine Ecke oder entlang einer Fläche von Zellen kann im Kreis laufen oder eine Zelle überspringen.</translation>
+    </message>
+    <message>
+        <source>jumps end a hair behind the cell&apos;s border and always advance a sample.</source>
+        <translation>Sprünge enden ein Haar hinter dem Rand der Zelle und rücken immer einen Abtastpunkt vor.</translation>
+    </message>
+    <message>
+        <source>diagonals through voxel corners: no pixel off by more than a level, by any structure.</source>
+        <translation>Diagonalen durch Voxelecken: kein Pixel mehr als eine Stufe daneben, mit keiner Struktur.</translation>
+    </message>
+    <message>
+        <source>Equal samples outside regions</source>
+        <translation>Gleiche Abtastwerte außerhalb von Bereichen</translation>
+    </message>
+    <message>
+        <source>The leaping kernel as published takes two equal samples for a region, wherever they lie, and then samples nearest: saturated, striped or padded data fools it.</source>
+        <translation>Der Sprungkern wie veröffentlicht hält zwei gleiche Abtastwerte für einen Bereich, wo immer sie liegen, und tastet dann nächste Voxel ab: gesättigte, gestreifte oder aufgefüllte Daten täuschen ihn.</translation>
+    </message>
+    <message>
+        <source>`--leaping confirmed` believes only the leap voxel&apos;s own bit; the planner never takes `published`.</source>
+        <translation>`--leaping confirmed` glaubt nur dem Bit des Sprungvoxels selbst; der Planer nimmt `published` nie.</translation>
+    </message>
+    <message>
+        <source>published: off by over 10 of 255 levels on balls without noise; confirmed: within 1.</source>
+        <translation>wie veröffentlicht: über 10 von 255 Stufen daneben an Kugeln ohne Rauschen; bestätigt: auf 1.</translation>
+    </message>
+    <message>
+        <source>Wide regions are drawn as their mean</source>
+        <translation>Weite Bereiche werden als ihr Mittel gezeichnet</translation>
+    </message>
+    <message>
+        <source>Above threshold 0 the picture is that of the volume in which each region has its average.</source>
+        <translation>Über Schwelle 0 ist das Bild das des Volumens, in dem jeder Bereich seinen Mittelwert hat.</translation>
+    </message>
+    <message>
+        <source>exactly the brute-force picture of the flattened volume; its error grows with the threshold.</source>
+        <translation>genau das Bild der vollen Abtastung des geglätteten Volumens; sein Fehler wächst mit der Schwelle.</translation>
+    </message>
+    <message>
+        <source>Leaps that go too far</source>
+        <translation>Zu weite Sprünge</translation>
+    </message>
+    <message>
+        <source>A leap longer than the way to the region&apos;s end skips a pore.</source>
+        <translation>Ein Sprung, länger als der Weg bis zum Ende des Bereichs, überspringt eine Pore.</translation>
+    </message>
+    <message>
+        <source>every leap value is at most the distance less one and a half voxel diagonals.</source>
+        <translation>jeder Sprungwert ist höchstens der Abstand weniger anderthalb Voxeldiagonalen.</translation>
+    </message>
+    <message>
+        <source>no voxel&apos;s value exceeds its true distance, in all three ways of making them.</source>
+        <translation>kein Wert übersteigt den wahren Abstand, auf allen drei Wegen, sie zu bilden.</translation>
+    </message>
+    <message>
+        <source>Floating-point voxels</source>
+        <translation>Gleitkomma-Voxel</translation>
+    </message>
+    <message>
+        <source>16 bits with a flag leave 15 for a density.</source>
+        <translation>16 Bit mit einem Kennzeichen lassen 15 für eine Dichte.</translation>
+    </message>
+    <message>
+        <source>`leap` on f32 unless the range to quantise is stated.</source>
+        <translation>`leap` auf f32, außer der Bereich zum Quantisieren ist genannt.</translation>
+    </message>
+    <message>
+        <source>Noise leaves nothing to leap through</source>
+        <translation>Rauschen lässt nichts zum Springen</translation>
+    </message>
+    <message>
+        <source>Noise makes tiny regions; with none large enough every sample is taken.</source>
+        <translation>Rauschen macht winzige Bereiche; ist keiner groß genug, wird jeder Punkt abgetastet.</translation>
+    </message>
+    <message>
+        <source>the share of equal neighbours is counted; `--smooth` first brings regions back.</source>
+        <translation>der Anteil gleicher Nachbarn wird gezählt; `--smooth` zuvor bringt Bereiche zurück.</translation>
+    </message>
+    <message>
+        <source>at noise of 10 % of the contrast over ten times as many regions, and over a tenth less of the voxels in large ones; smoothed by 1.5 voxels, at most three times as many.</source>
+        <translation>bei Rauschen von 10 % des Kontrasts über zehnmal so viele Bereiche und über ein Zehntel weniger Voxel in großen; mit 1,5 Voxel geglättet höchstens dreimal so viele.</translation>
+    </message>
+    <message>
+        <source>Wires between cast pixels</source>
+        <translation>Drähte zwischen verfolgten Pixeln</translation>
+    </message>
+    <message>
+        <source>What is thinner than K pixels and met by no cast ray is lost.</source>
+        <translation>Was dünner als K Pixel ist und von keinem verfolgten Strahl getroffen wird, geht verloren.</translation>
+    </message>
+    <message>
+        <source>`--sparse K,G,aware` asks min-max cells; nothing is promised for `lmip`, `mean`, and for what floats before or behind something visible.</source>
+        <translation>`--sparse K,G,aware` fragt Min-Max-Zellen; nichts wird versprochen für `lmip`, `mean` und für das, was vor oder hinter Sichtbarem schwebt.</translation>
+    </message>
+    <message>
+        <source>a wire of one voxel vanishes at K = 16 for some views; with `aware` no pixel is off by more than 6 levels.</source>
+        <translation>ein Draht von einem Voxel verschwindet bei K = 16 in manchen Ansichten; mit `aware` liegt kein Pixel mehr als 6 Stufen daneben.</translation>
+    </message>
+    <message>
+        <source>Soft differences between cast pixels</source>
+        <translation>Sanfte Unterschiede zwischen verfolgten Pixeln</translation>
+    </message>
+    <message>
+        <source>Differences below G between four cast pixels are interpolated away.</source>
+        <translation>Unterschiede unter G zwischen vier verfolgten Pixeln werden weginterpoliert.</translation>
+    </message>
+    <message>
+        <source>`--sparse K,0` interpolates between equal pixels only.</source>
+        <translation>`--sparse K,0` interpoliert nur zwischen gleichen Pixeln.</translation>
+    </message>
+    <message>
+        <source>the error grows with G, the number of rays falls.</source>
+        <translation>der Fehler wächst mit G, die Zahl der Strahlen fällt.</translation>
+    </message>
+    <message>
+        <source>Occlusion from the picture alone</source>
+        <translation>Verdeckung aus dem Bild allein</translation>
+    </message>
+    <message>
+        <source>SSAO sees only what the picture shows: what is hidden or outside it darkens nothing, and near things could darken far ones.</source>
+        <translation>SSAO sieht nur, was das Bild zeigt: Verborgenes oder außerhalb Liegendes verdunkelt nichts, und Nahes könnte Fernes verdunkeln.</translation>
+    </message>
+    <message>
+        <source>depths too far apart are left out (range check).</source>
+        <translation>zu weit auseinander liegende Tiefen bleiben außen vor (Bereichsprüfung).</translation>
+    </message>
+    <message>
+        <source>no halo on what lies far behind; a plane stays as it is.</source>
+        <translation>kein Hof auf weit Entferntem; eine Ebene bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Blur across outlines</source>
+        <translation>Unschärfe über Umrisse</translation>
+    </message>
+    <message>
+        <source>Depth of field blurs a picture: colours of what is sharp bleed into what is not.</source>
+        <translation>Schärfentiefe verwischt ein Bild: Farben des Scharfen bluten ins Unscharfe.</translation>
+    </message>
+    <message>
+        <source>pixels weigh by their own circle of confusion.</source>
+        <translation>Pixel wiegen nach ihrem eigenen Unschärfekreis.</translation>
+    </message>
+    <message>
+        <source>sharp colour stays out of the blur.</source>
+        <translation>scharfe Farbe bleibt aus der Unschärfe heraus.</translation>
+    </message>
+    <message>
+        <source>Voxels that are no numbers</source>
+        <translation>Voxel, die keine Zahlen sind</translation>
+    </message>
+    <message>
+        <source>A NaN or infinite voxel spoils every sample of its neighbourhood.</source>
+        <translation>Ein NaN oder unendliches Voxel verdirbt jeden Abtastwert seiner Umgebung.</translation>
+    </message>
+    <message>
+        <source>such samples contribute nothing and are counted nowhere; structures never call their cells empty or alike.</source>
+        <translation>solche Abtastwerte tragen nichts bei und zählen nirgends; Strukturen nennen ihre Zellen nie leer oder gleich.</translation>
+    </message>
+    <message>
+        <source>every mode by every structure, NaN and both infinities scattered: the reference&apos;s picture, but for 1 % of pixels.</source>
+        <translation>jeder Modus mit jeder Struktur, NaN und beide Unendlich verstreut: das Bild der Referenz bis auf 1 % der Pixel.</translation>
+    </message>
+    <message>
+        <source>One value, or one voxel across</source>
+        <translation>Ein Wert oder ein Voxel quer</translation>
+    </message>
+    <message>
+        <source>Ranges, gradients and cells of nothing: divisions by zero, empty trees.</source>
+        <translation>Bereiche, Gradienten und Zellen aus nichts: Teilungen durch null, leere Bäume.</translation>
+    </message>
+    <message>
+        <source>every build and fit takes them.</source>
+        <translation>jeder Aufbau und jede Anpassung nimmt sie an.</translation>
+    </message>
+    <message>
+        <source>constant volumes and 1xN, 1x1xN, 1x1x1 in every mode by every structure.</source>
+        <translation>konstante Volumen und 1xN, 1x1xN, 1x1x1 in jedem Modus mit jeder Struktur.</translation>
+    </message>
+    <message>
+        <source>Rays exactly along axes</source>
+        <translation>Strahlen genau entlang der Achsen</translation>
+    </message>
+    <message>
+        <source>A direction component of exactly zero divides by zero; rays within voxel faces belong to two voxels.</source>
+        <translation>Eine Richtungskomponente von genau null teilt durch null; Strahlen in Voxelflächen gehören zwei Voxeln.</translation>
+    </message>
+    <message>
+        <source>slabs the ray runs along are left out of its entry and exit.</source>
+        <translation>Platten, an denen der Strahl entlangläuft, bleiben bei Ein- und Austritt außen vor.</translation>
+    </message>
+    <message>
+        <source>six axes, on voxel centres and faces: the reference&apos;s picture but for rays within the box&apos;s own faces; structures change nothing.</source>
+        <translation>sechs Achsen, auf Voxelmitten und -flächen: das Bild der Referenz außer bei Strahlen in den Flächen des Kastens selbst; Strukturen ändern nichts.</translation>
+    </message>
+    <message>
+        <source>An eye inside the volume</source>
+        <translation>Ein Auge im Volumen</translation>
+    </message>
+    <message>
+        <source>There is no entry, and the first sample may lie inside a region or an object.</source>
+        <translation>Es gibt keinen Eintritt, und der erste Abtastpunkt kann in einem Bereich oder Objekt liegen.</translation>
+    </message>
+    <message>
+        <source>rays start at the eye; leaps look ahead for the region&apos;s value.</source>
+        <translation>Strahlen beginnen am Auge; Sprünge sehen nach dem Wert des Bereichs voraus.</translation>
+    </message>
+    <message>
+        <source>the reference&apos;s picture; structures change nothing.</source>
+        <translation>das Bild der Referenz; Strukturen ändern nichts.</translation>
+    </message>
+    <message>
+        <source>Single precision far away</source>
+        <translation>Einfache Genauigkeit in der Ferne</translation>
+    </message>
+    <message>
+        <source>At 10 000 voxels a float&apos;s last digit is a thousandth of a voxel.</source>
+        <translation>Bei 10 000 Voxeln ist die letzte Stelle einer Gleitkommazahl ein tausendstel Voxel.</translation>
+    </message>
+    <message>
+        <source>rays are re-based to the volume&apos;s box in double precision.</source>
+        <translation>Strahlen werden in doppelter Genauigkeit auf den Kasten des Volumens bezogen.</translation>
+    </message>
+    <message>
+        <source>depth within 0.01 voxels at 10 000 voxels and with origins up to 1e6 mm; 0.02 at the far end of a volume 10 000 voxels long.</source>
+        <translation>Tiefe auf 0,01 Voxel bei 10 000 Voxeln und bei Ursprüngen bis 1e6 mm; 0,02 am fernen Ende eines Volumens von 10 000 Voxeln Länge.</translation>
+    </message>
+    <message>
+        <source>The pixel&apos;s own error</source>
+        <translation>Der Fehler des Pixels selbst</translation>
+    </message>
+    <message>
+        <source>Between pixel centres nothing is cast.</source>
+        <translation>Zwischen Pixelmitten wird nichts verfolgt.</translation>
+    </message>
+    <message>
+        <source>larger pictures only.</source>
+        <translation>nur größere Bilder.</translation>
+    </message>
+    <message>
+        <source>second order in the pixel (slope within 0.15 of 2).</source>
+        <translation>zweite Ordnung im Pixel (Steigung auf 0,15 bei 2).</translation>
+    </message>
+    <message>
+        <source>Stored gradients</source>
+        <translation>Gespeicherte Gradienten</translation>
+    </message>
+    <message>
+        <source>Packed into four bytes, a normal&apos;s direction is rounded.</source>
+        <translation>In vier Byte gepackt, wird die Richtung einer Normalen gerundet.</translation>
+    </message>
+    <message>
+        <source>`--gradient on-the-fly`.</source>
+        <translation>`--gradient on-the-fly`.</translation>
+    </message>
+    <message>
+        <source>0.2 degrees.</source>
+        <translation>0,2 Grad.</translation>
+    </message>
+    <message>
+        <source>Nearest voxels</source>
+        <translation>Nächste Voxel</translation>
+    </message>
+    <message>
+        <source>One voxel&apos;s value for its whole cell: stairs.</source>
+        <translation>Der Wert eines Voxels für seine ganze Zelle: Treppen.</translation>
+    </message>
+    <message>
+        <source>`--sampler linear`; `adaptive` reads nearest only where nothing can tell.</source>
+        <translation>`--sampler linear`; `adaptive` liest nächste Voxel nur, wo man es nicht merken kann.</translation>
+    </message>
+    <message>
+        <source>a surface is off by up to half a voxel diagonal and the step.</source>
+        <translation>eine Oberfläche liegt bis zu einer halben Voxeldiagonalen und einem Schritt daneben.</translation>
+    </message>
+    <message>
+        <source>Growth shatters under noise</source>
+        <translation>Wachstum zersplittert im Rauschen</translation>
+    </message>
+    <message>
+        <source>A region&apos;s values span at most the width: noise wider than that leaves crumbs.</source>
+        <translation>Die Werte eines Bereichs umspannen höchstens die Breite: weiteres Rauschen lässt Krümel.</translation>
+    </message>
+    <message>
+        <source>`--min-voxels` drops them, `--smooth` avoids them.</source>
+        <translation>`--min-voxels` lässt sie weg, `--smooth` vermeidet sie.</translation>
+    </message>
+    <message>
+        <source>as for leaping: over ten times as many regions at noise of 10 % of the contrast.</source>
+        <translation>wie beim Springen: über zehnmal so viele Bereiche bei Rauschen von 10 % des Kontrasts.</translation>
+    </message>
+    <message>
+        <source>The order of growth</source>
+        <translation>Die Reihenfolge des Wachstums</translation>
+    </message>
+    <message>
+        <source>Which seed comes first decides which voxels a region may still take.</source>
+        <translation>Welcher Keim zuerst kommt, entscheidet, welche Voxel ein Bereich noch nehmen darf.</translation>
+    </message>
+    <message>
+        <source>seeds are tried in the voxels&apos; order, on any number of threads.</source>
+        <translation>Keime werden in der Reihenfolge der Voxel versucht, auf jeder Zahl von Threads.</translation>
+    </message>
+    <message>
+        <source>the same labels, bit for bit.</source>
+        <translation>dieselben Marken, Bit für Bit.</translation>
+    </message>
+    <message>
+        <source>Adjacency decides topology</source>
+        <translation>Nachbarschaft entscheidet über Topologie</translation>
+    </message>
+    <message>
+        <source>A shell with a diagonal gap is closed for one adjacency and open for the other.</source>
+        <translation>Eine Schale mit einer diagonalen Lücke ist für die eine Nachbarschaft geschlossen und für die andere offen.</translation>
+    </message>
+    <message>
+        <source>the adjacency used stands in the table; regions and cavities take opposite ones.</source>
+        <translation>die benutzte Nachbarschaft steht in der Tabelle; Bereiche und Hohlräume nehmen entgegengesetzte.</translation>
+    </message>
+    <message>
+        <source>both answers, each right for its adjacency.</source>
+        <translation>beide Antworten, jede richtig für ihre Nachbarschaft.</translation>
+    </message>
+    <message>
+        <source>Area from voxel faces</source>
+        <translation>Fläche aus Voxelseiten</translation>
+    </message>
+    <message>
+        <source>Counted faces overestimate by half and never converge; weights for cubes are wrong by tens of percent on flat voxels.</source>
+        <translation>Gezählte Seiten überschätzen um die Hälfte und konvergieren nie; Gewichte für Würfel sind bei flachen Voxeln um zig Prozent falsch.</translation>
+    </message>
+    <message>
+        <source>Crofton&apos;s formula with 13 directions, weighted for the spacing.</source>
+        <translation>Croftons Formel mit 13 Richtungen, für den Voxelabstand gewichtet.</translation>
+    </message>
+    <message>
+        <source>a flat tilted disc at 1:1:5 within the stated bound.</source>
+        <translation>eine flache gekippte Scheibe bei 1:1:5 in der genannten Schranke.</translation>
+    </message>
+    <message>
+        <source>Volume at one threshold</source>
+        <translation>Volumen bei einer Schwelle</translation>
+    </message>
+    <message>
+        <source>A blurred pore of two voxels&apos; radius reads 0.45 to 0.89 of its volume, as the threshold goes from 60 to 40 %.</source>
+        <translation>Eine verwischte Pore von zwei Voxeln Radius liest 0,45 bis 0,89 ihres Volumens, wenn die Schwelle von 60 auf 40 % geht.</translation>
+    </message>
+    <message>
+        <source>every volume carries an interval.</source>
+        <translation>jedes Volumen trägt ein Intervall.</translation>
+    </message>
+    <message>
+        <source>the true volume lies in the interval.</source>
+        <translation>das wahre Volumen liegt im Intervall.</translation>
+    </message>
+    <message>
+        <source>Porosity under noise</source>
+        <translation>Porosität im Rauschen</translation>
+    </message>
+    <message>
+        <source>Noise moves the threshold and adds false pores.</source>
+        <translation>Rauschen verschiebt die Schwelle und fügt falsche Poren hinzu.</translation>
+    </message>
+    <message>
+        <source>an interval; finds below the noise are dropped.</source>
+        <translation>ein Intervall; Funde unter dem Rauschen fallen weg.</translation>
+    </message>
+    <message>
+        <source>at noise of 0 to 10 % of the contrast the truth lies in the interval.</source>
+        <translation>bei Rauschen von 0 bis 10 % des Kontrasts liegt die Wahrheit im Intervall.</translation>
+    </message>
+    <message>
+        <source>Finds of a few voxels</source>
+        <translation>Funde von wenigen Voxeln</translation>
+    </message>
+    <message>
+        <source>Below eight voxels the uncertainty exceeds the object.</source>
+        <translation>Unter acht Voxeln übersteigt die Unsicherheit das Objekt.</translation>
+    </message>
+    <message>
+        <source>such finds are reported as detected, not measured.</source>
+        <translation>solche Funde werden als gefunden, nicht als gemessen gemeldet.</translation>
+    </message>
+    <message>
+        <source>no volume is printed for them.</source>
+        <translation>kein Volumen wird für sie gedruckt.</translation>
     </message>
 </context>
 <context>
@@ -3335,6 +4281,21 @@
         <source>&amp;Export</source>
         <translation>&amp;Ausgeben</translation>
     </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>These are slices: their whole folder is opened.</source>
+        <translation>Das sind Schichten: Ihr ganzer Ordner wird geöffnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>One thing is open at a time: %n others are left out.</source>
+        <translation>
+            <numerusform>Offen ist nur eines: %n anderes bleibt weg.</numerusform>
+            <numerusform>Offen ist nur eines: %n andere bleiben weg.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>lacuna::ui::MeasureFeature</name>
@@ -3554,10 +4515,6 @@
         <translation>&amp;Holen und öffnen…</translation>
     </message>
     <message>
-        <source>Copies the chosen series, or the whole study, into a folder and opens it (C-GET)</source>
-        <translation>Kopiert die gewählte Serie oder die ganze Studie in einen Ordner und öffnet sie (C-GET)</translation>
-    </message>
-    <message>
         <source>&amp;Send files…</source>
         <translation>Dateien &amp;senden…</translation>
     </message>
@@ -3752,6 +4709,14 @@
         <source>Cancelled.</source>
         <translation>Abgebrochen.</translation>
     </message>
+    <message>
+        <source>Copies the chosen series, or the whole study, into a folder and opens it (C-GET, or C-MOVE where the server is set to)</source>
+        <translation>Kopiert die gewählte Serie oder die ganze Studie in einen Ordner und öffnet sie (C-GET oder, wo der Server so eingestellt ist, C-MOVE)</translation>
+    </message>
+    <message>
+        <source> It is not all: %1</source>
+        <translation> Es ist nicht alles: %1</translation>
+    </message>
 </context>
 <context>
     <name>lacuna::ui::PacsFeature</name>
@@ -3824,7 +4789,7 @@
     </message>
     <message>
         <source>Own private &amp;key</source>
-        <translation>Eigener privater &amp;Schlüssel</translation>
+        <translation>Eigener privater Schlüsse&amp;l</translation>
     </message>
     <message>
         <source>PEM file</source>
@@ -3837,6 +4802,34 @@
     <message>
         <source>PEM files (*.pem *.crt *.key);;All files (*)</source>
         <translation>PEM-Dateien (*.pem *.crt *.key);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>&amp;Retrieve by C-MOVE</source>
+        <translation>Mit C-&amp;MOVE abrufen</translation>
+    </message>
+    <message>
+        <source>For servers that know no C-GET: during a retrieval a port of this computer is open, which takes images from this server&apos;s AE title alone. The server has to know our AE title, the address and the port.</source>
+        <translation>Für Server, die kein C-GET kennen: Während eines Abrufs ist ein Port dieses Rechners offen, der nur Bilder vom AE-Titel dieses Servers annimmt. Der Server muss unseren AE-Titel, die Adresse und den Port kennen.</translation>
+    </message>
+    <message>
+        <source>Address to receive at</source>
+        <translation>Adresse, an der empfangen wird</translation>
+    </message>
+    <message>
+        <source>One of this computer&apos;s addresses; 127.0.0.1 takes only what comes from this computer itself</source>
+        <translation>Eine der Adressen dieses Rechners; 127.0.0.1 nimmt nur an, was von diesem Rechner selbst kommt</translation>
+    </message>
+    <message>
+        <source>Port to receive at</source>
+        <translation>Port, an dem empfangen wird</translation>
+    </message>
+    <message>
+        <source>Receive at a&amp;ddress</source>
+        <translation>Empfang an A&amp;dresse</translation>
+    </message>
+    <message>
+        <source>Recei&amp;ve at port</source>
+        <translation>Empfang am P&amp;ort</translation>
     </message>
 </context>
 <context>
@@ -4468,6 +5461,37 @@
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::RecentFeature</name>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Session of %1</source>
+        <translation>Sitzung vom %1</translation>
+    </message>
+    <message>
+        <source>Folder of %1</source>
+        <translation>Ordner vom %1</translation>
+    </message>
+    <message>
+        <source>File of %1</source>
+        <translation>Datei vom %1</translation>
+    </message>
+    <message>
+        <source>&amp;Forget these</source>
+        <translation>Diese &amp;vergessen</translation>
+    </message>
+    <message>
+        <source>There is no file %1.</source>
+        <translation>Es gibt keine Datei %1.</translation>
+    </message>
+    <message>
+        <source>It has left the list of what was open lately.</source>
+        <translation>Sie steht nicht mehr in der Liste des zuletzt Geöffneten.</translation>
     </message>
 </context>
 <context>
@@ -5739,10 +6763,6 @@
         <translation>Sigmoid</translation>
     </message>
     <message>
-        <source>How a window makes grey of values: DICOM PS3.3 C.11.2. Linear (DICOM) leaves half a value at either end, as scanners do; exact runs from end to end; sigmoid fades out softly.</source>
-        <translation>Wie ein Fenster aus Werten Grau macht: DICOM PS3.3 C.11.2. Linear (DICOM) lässt an beiden Enden einen halben Wert, wie Scanner es tun; exakt geht von Ende zu Ende; Sigmoid läuft weich aus.</translation>
-    </message>
-    <message>
         <source>What a slab shows</source>
         <translation>Was eine Scheibe zeigt</translation>
     </message>
@@ -5789,6 +6809,22 @@
     <message>
         <source>Overlay</source>
         <translation>Überlagerung</translation>
+    </message>
+    <message>
+        <source>Table of the file</source>
+        <translation>Tabelle der Datei</translation>
+    </message>
+    <message>
+        <source>How a window makes grey of values: DICOM PS3.3 C.11.2. Linear (DICOM) leaves half a value at either end, as scanners do; exact runs from end to end; sigmoid fades out softly. A table is the file&apos;s own (VOI LUT), stretched over the window.</source>
+        <translation>Wie ein Fenster aus Werten Grau macht: DICOM PS3.3 C.11.2. Linear (DICOM) lässt an beiden Enden einen halben Wert, wie Scanner es tun; genau läuft von Ende zu Ende; die Sigmoide läuft weich aus. Eine Tabelle bringt die Datei mit (VOI-LUT); sie wird über das Fenster gespannt.</translation>
+    </message>
+    <message>
+        <source>Table %1 of the file</source>
+        <translation>Tabelle %1 der Datei</translation>
+    </message>
+    <message>
+        <source>%1 (table of the file)</source>
+        <translation>%1 (Tabelle der Datei)</translation>
     </message>
 </context>
 <context>

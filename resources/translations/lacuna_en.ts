@@ -80,6 +80,16 @@
     </message>
 </context>
 <context>
+    <name>lacuna::ui::MainWindow</name>
+    <message numerus="yes">
+        <source>One thing is open at a time: %n others are left out.</source>
+        <translation>
+            <numerusform>One thing is open at a time: %n other is left out.</numerusform>
+            <numerusform>One thing is open at a time: %n others are left out.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>lacuna::ui::MeasureFeature</name>
     <message numerus="yes">
         <source>The table of %n measurement(s) is on the clipboard.</source>
