@@ -5,7 +5,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QImage>
-#include <QLocale>
+#include <QPainter>
 #include <QPixmap>
 #include <QVBoxLayout>
 #include <functional>
@@ -22,11 +22,11 @@ namespace {
 constexpr int k_picture_edge = 64, k_columns = 5;
 enum Role { k_folder = Qt::UserRole + 1, k_uid };
 
-/// A stored date, YYYYMMDD, as the locale writes it; what is none as it is.
+/// A stored date, YYYYMMDD, with all four digits of the year; what is none as it is.
 QString date_text(const std::string& stored) {
     const QString text = QString::fromStdString(stored);
     const QDate date = QDate::fromString(text, QStringLiteral("yyyyMMdd"));
-    return date.isValid() ? QLocale().toString(date, QLocale::ShortFormat) : text;
+    return date.isValid() ? date.toString(Qt::ISODate) : text;
 }
 
 QList<QStandardItem*> row_of(const QStringList& texts) {
@@ -79,7 +79,11 @@ QPixmap picture_of(const CatalogueThumbnail& thumbnail) {
     for (int y = 0; y < thumbnail.height; ++y)
         std::copy_n(thumbnail.grey.data() + std::size_t(y) * std::size_t(thumbnail.width), thumbnail.width,
                     image.scanLine(y));
-    return QPixmap::fromImage(image);
+    // As large as the others, whatever its shape: the words beside them stand below each other.
+    QPixmap picture(k_picture_edge, k_picture_edge);
+    picture.fill(Qt::transparent);
+    QPainter(&picture).drawImage((k_picture_edge - image.width()) / 2, (k_picture_edge - image.height()) / 2, image);
+    return picture;
 }
 
 /// Every series with its place in the list.

@@ -7,9 +7,9 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLocale>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/io/dicom_catalogue.h"
 #include "ui/core_sentences.h"
@@ -25,9 +25,10 @@ enum Role { k_study = Qt::UserRole + 1, k_series, k_asked };
 
 QString text(const std::string& words) { return QString::fromStdString(words); }
 
+/// With all four digits of the year, and sorted by time where sorted by letters.
 QString date_text(const std::string& stored) {
     const QDate date = QDate::fromString(text(stored), QStringLiteral("yyyyMMdd"));
-    return date.isValid() ? QLocale().toString(date, QLocale::ShortFormat) : text(stored);
+    return date.isValid() ? date.toString(Qt::ISODate) : text(stored);
 }
 
 QString count_text(int count) { return count > 0 ? QString::number(count) : QString(); }
@@ -64,7 +65,11 @@ PacsDialog::PacsDialog(TaskList* tasks, QWidget* parent)
     results_->setHeaderLabels({tr("Patient / series"), tr("Date"), tr("Kind"), tr("Description"), tr("Images")});
     results_->setAccessibleName(tr("Studies found"));
     results_->setAlternatingRowColors(true);
-    results_->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    for (const int column : {0, 1, 2, 4})
+        results_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    results_->header()->setStretchLastSection(false);
+    results_->header()->setSectionResizeMode(3, QHeaderView::Stretch);
+    results_->headerItem()->setTextAlignment(4, Qt::AlignRight);
     column->addWidget(results_, 1);
     status_->setWordWrap(true);
     status_->setAccessibleName(tr("What happened last"));
@@ -244,13 +249,17 @@ void PacsDialog::search() {
 
 void PacsDialog::showStudies(const PacsAnswer<PacsStudy>& answer) {
     results_->clear();
-    for (const PacsStudy& study : answer.rows) {
+    std::vector<PacsStudy> newest_first = answer.rows;
+    std::stable_sort(newest_first.begin(), newest_first.end(),
+                     [](const PacsStudy& a, const PacsStudy& b) { return a.date > b.date; });
+    for (const PacsStudy& study : newest_first) {
         const bool hidden = preferences::hide_patient();
         QString who =
             hidden ? tr("Patient %1").arg(results_->topLevelItemCount() + 1) : text(person_name(study.patient_name));
         if (!hidden && !study.patient_id.empty()) who += QStringLiteral("  ·  ") + text(study.patient_id);
         auto* item = new QTreeWidgetItem(results_, {who, date_text(study.date), text(study.modalities),
                                                     text(study.description), count_text(study.images)});
+        item->setTextAlignment(4, Qt::AlignRight);
         item->setData(0, k_study, text(study.uid));
         item->setChildIndicatorPolicy(QTreeWidgetItem::ShowIndicator);
     }
@@ -280,6 +289,7 @@ void PacsDialog::loadSeries(QTreeWidgetItem* study) {
                     auto* item = new QTreeWidgetItem(
                         parent, {tr("Series %1").arg(series.number), QString(), text(series.modality),
                                  text(series.description), count_text(series.images)});
+                    item->setTextAlignment(4, Qt::AlignRight);
                     item->setData(0, k_study, uid);
                     item->setData(0, k_series, text(series.uid));
                 }

@@ -34,7 +34,8 @@ QString core_text() {
 TEST(CoreSentences, StandInTheCoreWordByWord) {
     const QString core = core_text();
     ASSERT_GT(core.size(), 100000);
-    static const QRegularExpression place(QStringLiteral("%\\d"));
+    // What is filled in parts a sentence, and what the core puts in before a semicolon in other cases.
+    static const QRegularExpression place(QStringLiteral("%\\d|(?=;)"));
     for (const QString& sentence : core_sentences())
         for (const QString& piece : sentence.split(place, Qt::SkipEmptyParts))
             EXPECT_TRUE(piece.size() < 8 || core.contains(piece)) << piece.toStdString();
@@ -55,7 +56,7 @@ protected:
             call();
         } catch (const Error& error) {
             const QString said = core_sentence(error.what());
-            EXPECT_NE(said, QString::fromUtf8(error.what())) << "it is said in English";
+            EXPECT_NE(said.toStdString(), error.what()) << "it is said in English";
             return said;
         }
         ADD_FAILURE() << "nothing was thrown";
