@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QPainter>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -272,6 +273,10 @@ void RawImportDialog::showProposals(const std::vector<RawGuess>& guesses) {
         for (const std::string& reason : guess.reasons) reasons << QString::fromStdString(reason);
         item->setToolTip(reasons.join(QLatin1Char('\n')));
     }
+    // The confidence stands at the end of a line: it must not be cut off.
+    constexpr int k_narrowest = 420, k_widest = 620;
+    const int frame = 2 * list_->frameWidth() + list_->verticalScrollBar()->sizeHint().width();
+    list_->setMinimumWidth(std::clamp(list_->sizeHintForColumn(0) + frame, k_narrowest, k_widest));
     if (guesses_.empty()) {
         list_->addItem(tr("Nothing can be told from this file; enter what you know of it."));
         list_->item(0)->setFlags(Qt::NoItemFlags);
