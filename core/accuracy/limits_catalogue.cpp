@@ -63,6 +63,12 @@ bool distances_a_voxel(const Scene&, const Plan& p) {
 }
 bool skips_in_ea(const Scene& s, const Plan& p) { return s.mode == ViewMode::ea && p.structure != Structure::none; }
 bool skips(const Scene&, const Plan& p) { return p.structure != Structure::none && p.structure != Structure::visible; }
+bool turns_normals(const Scene& s, const Plan& p) {
+    return s.mode == ViewMode::ea && distances_a_voxel(s, p) && p.homogeneity_angle_deg > 0;
+}
+bool walks_a_tree(const Scene&, const Plan& p) {
+    return p.structure == Structure::octree || p.structure == Structure::pyramid;
+}
 bool leaps_as_published(const Scene&, const Plan& p) {
     return p.structure == Structure::leap && p.leap.kernel == Leaping::published;
 }
@@ -258,6 +264,23 @@ constexpr auto k_limits = std::to_array<Limit>({
      QT_TRANSLATE_NOOP("Limits", "One shear serves parallel rays only."), Guard::refused,
      QT_TRANSLATE_NOOP("Limits", "the camera's field of view is refused in one sentence."),
      QT_TRANSLATE_NOOP("Limits", "none is drawn."), "ShearWarp.PerspectiveAndStopsAreErrors", is_shear_warp},
+    {QT_TRANSLATE_NOOP("Limits", "Voxels that are no cubes"), LimitTopic::shear_warp,
+     QT_TRANSLATE_NOOP("Limits",
+                       "A shear in voxels a slice puts surfaces elsewhere where voxels are flat or the grid is turned."),
+     Guard::corrected, QT_TRANSLATE_NOOP("Limits", "spacing and direction enter the shear and the warp."),
+     QT_TRANSLATE_NOOP("Limits",
+                       "spacings of 1:1:2, 0.8:1:1.5 and 1:1:5: depth within 1.6 voxel diagonals of rays (nearest), "
+                       "0.6 (linear)."),
+     "ShearWarp.AgreesWithRaysFromAllSixSidesAndBetween", is_shear_warp},
+    {QT_TRANSLATE_NOOP("Limits", "A new isovalue or cut"), LimitTopic::shear_warp,
+     QT_TRANSLATE_NOOP("Limits",
+                       "A list of visible voxels holds for one isovalue and one set of cuts: every change is a new "
+                       "extraction."),
+     Guard::bounded,
+     QT_TRANSLATE_NOOP("Limits",
+                       "the one region of 24 that is looked from is extracted, others when the view turns there."),
+     QT_TRANSLATE_NOOP("Limits", "a list is made once a region and sampling, and kept."),
+     "ShearWarp.ListsAreBuiltOnceADirection", is_shear_warp},
     {QT_TRANSLATE_NOOP("Limits", "A peak inside a homogeneous node"), LimitTopic::structures,
      QT_TRANSLATE_NOOP("Limits",
                        "The octree takes a node whose values differ by less than the threshold as its average; a "
@@ -285,6 +308,24 @@ constexpr auto k_limits = std::to_array<Limit>({
                        "at least one look-up in 31 voxels a ray, at most three times that; half as many over "
                        "cells of 8^3. The picture is the same."),
      "DistanceLimits.ThirtyOneVoxelsSaturateAndNeverWrap", boxes_a_voxel, limit::saturated_distances},
+    {QT_TRANSLATE_NOOP("Limits", "Normals that turn within a region"), LimitTopic::structures,
+     QT_TRANSLATE_NOOP("Limits",
+                       "Gradients that differ by less than the angle count as equal: shading that turns within a run is "
+                       "drawn alike."),
+     Guard::bounded, QT_TRANSLATE_NOOP("Limits", "an angle of 0 tells all directions apart."),
+     QT_TRANSLATE_NOOP("Limits",
+                       "the error grows with the angle; on a shaded ball at threshold 0.02 under 4 of 255 levels on "
+                       "average, whatever the angle."),
+     "VoxelDistances.GradientsMayTurnByTheAngle", turns_normals},
+    {QT_TRANSLATE_NOOP("Limits", "Rays along a surface"), LimitTopic::structures,
+     QT_TRANSLATE_NOOP("Limits",
+                       "A ray that grazes a surface goes through cells on both its sides: a tree is walked to its leaves "
+                       "again and again, and nothing is skipped."),
+     Guard::bounded, QT_TRANSLATE_NOOP("Limits", "16 rays ask once together, and a jump ends at the leaf's border."),
+     QT_TRANSLATE_NOOP("Limits",
+                       "two to three times the look-ups of a ray that meets the surface square on, at most one in four "
+                       "voxels; the picture is the same."),
+     "GrazingRays.LookUpMoreAndSkipNothing", walks_a_tree},
     {QT_TRANSLATE_NOOP("Limits", "A field a voxel for large volumes"), LimitTopic::structures,
      QT_TRANSLATE_NOOP("Limits", "Eight distances a voxel need eight to sixteen bytes a voxel."), Guard::refused,
      QT_TRANSLATE_NOOP("Limits", "before anything is allocated, naming the bytes and what fits."),

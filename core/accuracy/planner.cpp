@@ -450,7 +450,8 @@ private:
             name_of(made.plan.structure), words.empty() ? "" : ", ", words, measured.error, measured.ms, asked())};
         if (!budget_.other_views.empty()) made.plan.why.push_back(about_other_views(made.plan));
         if (!meets) made.plan.why.push_back("No plan tried fits the time budget; this is the fastest.");
-        const std::string fails = refused_by_limits(facts_, scene_, made.plan, brute_.plan, 0);
+        // For an error budget such a plan was refused.
+        const std::string fails = budget_.error ? "" : refused_by_limits(facts_, scene_, made.plan, brute_.plan, 0);
         if (!fails.empty()) made.plan.why.push_back("In other views than this " + fails);
         made.plan.why.insert(made.plan.why.end(), refused_.begin(), refused_.end());
         return made;

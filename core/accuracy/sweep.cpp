@@ -194,7 +194,8 @@ private:
         const ViewMode mode = scene_.scene.mode;
         if (mode == ViewMode::shear_warp) return;
         Scene small = shown(0, mode);
-        const int smaller = options_.extent == SweepExtent::quick ? 8 : 4;
+        // Where time is short it is for the plans.
+        const int smaller = options_.extent == SweepExtent::quick || std::isfinite(options_.time_limit_s) ? 8 : 4;
         small.size = glm::max(small.size / smaller, glm::min(small.size, glm::ivec2(48)));
         const Frame frame = engine_.render(small, plan, {job.stop}).frame;
         ReferenceErrors& errors = result_.of_reference;

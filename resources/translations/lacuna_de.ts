@@ -1417,6 +1417,14 @@
         <translation>&amp;Genauer: kleinerer Spielraum</translation>
     </message>
     <message>
+        <source>Most exact at &amp;30 frames a second</source>
+        <translation>Am genauesten bei &amp;30 Bildern je Sekunde</translation>
+    </message>
+    <message>
+        <source>Most exact at &amp;10 frames a second</source>
+        <translation>Am genauesten bei &amp;10 Bildern je Sekunde</translation>
+    </message>
+    <message>
         <source>&amp;No budget</source>
         <translation>&amp;Kein Spielraum</translation>
     </message>
@@ -1734,12 +1742,8 @@
 <context>
     <name>lacuna::ui::BudgetPanel</name>
     <message>
-        <source>Fastest: a frame in 33 ms</source>
-        <translation>Am schnellsten: ein Bild in 33 ms</translation>
-    </message>
-    <message>
-        <source>A frame in 100 ms</source>
-        <translation>Ein Bild in 100 ms</translation>
+        <source>Fastest: however far off</source>
+        <translation>Am schnellsten: wie weit auch immer daneben</translation>
     </message>
     <message>
         <source>At most 32/255 off: the shape is right</source>
@@ -1770,8 +1774,8 @@
         <translation>Spielraum von am schnellsten bis exakt</translation>
     </message>
     <message>
-        <source>The plan that draws the full picture is chosen by measuring this very view: the fastest one within the error, or the most exact one within the time.</source>
-        <translation>Der Plan, der das volle Bild zeichnet, wird durch Messen eben dieser Ansicht gewählt: der schnellste innerhalb des Fehlers oder der genaueste innerhalb der Zeit.</translation>
+        <source>The plan that draws the full picture is chosen by measuring this very view: the fastest one within the error.</source>
+        <translation>Der Plan, der das volle Bild zeichnet, wird durch Messen eben dieser Ansicht gewählt: der schnellste innerhalb des Fehlers.</translation>
     </message>
     <message>
         <source>Draw within a budget</source>

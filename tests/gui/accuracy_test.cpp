@@ -91,6 +91,14 @@ TEST_F(AccuracyTest, TheBudgetChangesPlanAndBadgeAndIsUndone) {
         EXPECT_NE(badge(), exact);
         EXPECT_NE(feature().budget()->planLine(), line);
     }
+    // From one end of the slider to the other plan and badge differ, whatever the machine.
+    QTest::keyClick(slider, Qt::Key_Home);
+    ASSERT_EQ(document().settings.quality.error_budget, 255.0);
+    waitFor(planned, "the fastest plan is found");
+    EXPECT_GT(monitor().answer()->error, 0) << "nothing exact is the fastest";
+    EXPECT_NE(badge(), exact);
+    EXPECT_NE(feature().budget()->planLine(), line);
+    window->documents()->undo();
     window->documents()->undo();
     settle();
     EXPECT_NE(document().settings.quality.error_budget, 32.0);

@@ -62,5 +62,33 @@ TEST(DistanceLimits, BoxesOfALongEmptyGridHoldTheLimit) {
     EXPECT_EQ((entries[before] >> 5) & 31, k_box_limit);
 }
 
+/// A half-space seen through a keyhole a third of a voxel wide, just before its surface.
+Scene half_space(double azimuth_deg) {
+    const Volume volume =
+        sampled<std::uint8_t>(centred({64, 64, 64}), [](const glm::dvec3& mm) { return mm.y > 0 ? 200 : 0; });
+    Scene scene = scene_of(volume, ViewMode::iso, 33);
+    scene.iso = 100;
+    scene.camera.azimuth_deg = azimuth_deg;
+    scene.camera.center_mm = glm::dvec3(0, -0.25, 0);
+    scene.camera.zoom = volume.geometry().diameter_mm() / 0.3;
+    return scene;
+}
+
+TEST(GrazingRays, LookUpMoreAndSkipNothing) {
+    LACUNA_NEEDS_DEVICE();
+    const Scene square_on = half_space(0), along = half_space(90);
+    const Frame plain = on_device(along, brute_force(), true);
+    const auto a_ray = [](std::uint64_t count, const Counters& counters) {
+        return double(count) / double(counters.rays);
+    };
+    for (const Structure structure : {Structure::octree, Structure::pyramid}) {
+        const Counters few = counted(square_on, structure, 8), many = counted(along, structure, 8);
+        EXPECT_GT(a_ray(many.structure_reads, many), 1.8 * a_ray(few.structure_reads, few)) << name_of(structure);
+        EXPECT_LE(a_ray(many.structure_reads, many), 64 / 4) << name_of(structure) << ": one in four voxels";
+        EXPECT_GT(many.samples, 0.9 * double(plain.counters.samples)) << name_of(structure) << " skips nothing";
+        EXPECT_LE(worst_levels(on_device(along, with_structure(structure)), plain), 0.5) << name_of(structure);
+    }
+}
+
 }  // namespace
 }  // namespace lacuna

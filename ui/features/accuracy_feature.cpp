@@ -85,6 +85,15 @@ void AccuracyFeature::buildActions() {
                [this] { stepBudget(-1); });
     bench_.add(menu, tr("&More exact: a smaller budget"), QKeySequence(QStringLiteral("Ctrl+]")), this,
                [this] { stepBudget(1); });
+    const auto within = [this](double ms) {
+        bench_.edit(tr("Budget"), [ms](ViewSettings& settings) {
+            settings.quality.plan.clear();
+            settings.quality.error_budget.reset();
+            settings.quality.time_budget_ms = ms;
+        });
+    };
+    bench_.add(menu, tr("Most exact at &30 frames a second"), QKeySequence(), this, [within] { within(33); });
+    bench_.add(menu, tr("Most exact at &10 frames a second"), QKeySequence(), this, [within] { within(100); });
     bench_.add(menu, tr("&No budget"), QKeySequence(QStringLiteral("Ctrl+\\")), this, [this] {
         bench_.edit(tr("Budget"), [](ViewSettings& settings) {
             settings.quality.plan.clear();

@@ -13,20 +13,19 @@ namespace {
 int stop_of(const Quality& quality) {
     const auto& stops = BudgetPanel::stops();
     for (std::size_t i = 0; i < stops.size(); ++i)
-        if (stops[i].error == quality.error_budget && stops[i].time_ms == quality.time_budget_ms) return int(i);
+        if (stops[i].error == quality.error_budget && !quality.time_budget_ms) return int(i);
     return -1;
 }
 
 }  // namespace
 
 const std::vector<BudgetPanel::Stop>& BudgetPanel::stops() {
-    static const std::vector<Stop> list = {{{}, 33.0, tr("Fastest: a frame in 33 ms")},
-                                           {{}, 100.0, tr("A frame in 100 ms")},
-                                           {32.0, {}, tr("At most 32/255 off: the shape is right")},
-                                           {8.0, {}, tr("At most 8/255 off: plain to see beside it")},
-                                           {2.0, {}, tr("At most 2/255 off: hardly to be seen")},
-                                           {0.5, {}, tr("At most 0.5/255 off: the same on a screen")},
-                                           {0.0, {}, tr("Exact: equal to brute force")}};
+    static const std::vector<Stop> list = {{255.0, tr("Fastest: however far off")},
+                                           {32.0, tr("At most 32/255 off: the shape is right")},
+                                           {8.0, tr("At most 8/255 off: plain to see beside it")},
+                                           {2.0, tr("At most 2/255 off: hardly to be seen")},
+                                           {0.5, tr("At most 0.5/255 off: the same on a screen")},
+                                           {0.0, tr("Exact: equal to brute force")}};
     return list;
 }
 
@@ -48,7 +47,7 @@ BudgetPanel::BudgetPanel(QWidget* parent)
     slider_->setAccessibleName(tr("Budget from fastest to exact"));
     slider_->setToolTip(
         tr("The plan that draws the full picture is chosen by measuring this very view: the fastest one within the "
-           "error, or the most exact one within the time."));
+           "error."));
     on_->setAccessibleName(tr("Draw within a budget"));
     on_->setToolTip(tr("Off: the usual plan of the view mode, at the quality above"));
     auto* fastest = new QLabel(tr("fastest"), this);
@@ -84,10 +83,7 @@ void BudgetPanel::choose(int stop) {
     next.quality.plan.clear();
     next.quality.error_budget.reset();
     next.quality.time_budget_ms.reset();
-    if (stop >= 0) {
-        next.quality.error_budget = stops()[std::size_t(stop)].error;
-        next.quality.time_budget_ms = stops()[std::size_t(stop)].time_ms;
-    }
+    if (stop >= 0) next.quality.error_budget = stops()[std::size_t(stop)].error;
     Q_EMIT edited(tr("Budget"), next);
 }
 

@@ -16,8 +16,7 @@ class BudgetPanel final : public QWidget {
 public:
     /// The slider's stops, from the fastest to the exact.
     struct Stop {
-        std::optional<double> error;  ///< 1/255
-        std::optional<double> time_ms;
+        double error = 0;  ///< 1/255; of the fastest one the largest there is
         QString name;
     };
     static const std::vector<Stop>& stops();
