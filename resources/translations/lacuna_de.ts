@@ -1277,6 +1277,70 @@
         <source>no volume is printed for them.</source>
         <translation>kein Volumen wird für sie gedruckt.</translation>
     </message>
+    <message>
+        <source>Voxels that are no cubes</source>
+        <translation>Voxel, die keine Würfel sind</translation>
+    </message>
+    <message>
+        <source>A shear in voxels a slice puts surfaces elsewhere where voxels are flat or the grid is turned.</source>
+        <translation>Eine Scherung in Voxeln je Schicht setzt Oberflächen an eine andere Stelle, wo Voxel flach sind oder das Gitter gedreht ist.</translation>
+    </message>
+    <message>
+        <source>spacing and direction enter the shear and the warp.</source>
+        <translation>Abstand und Richtung gehen in Scherung und Verzerrung ein.</translation>
+    </message>
+    <message>
+        <source>spacings of 1:1:2, 0.8:1:1.5 and 1:1:5: depth within 1.6 voxel diagonals of rays (nearest), 0.6 (linear).</source>
+        <translation>Abstände von 1:1:2, 0,8:1:1,5 und 1:1:5: die Tiefe liegt innerhalb von 1,6 Voxeldiagonalen bei der von Strahlen (nächster), 0,6 (linear).</translation>
+    </message>
+    <message>
+        <source>A new isovalue or cut</source>
+        <translation>Ein neuer Isowert oder Schnitt</translation>
+    </message>
+    <message>
+        <source>A list of visible voxels holds for one isovalue and one set of cuts: every change is a new extraction.</source>
+        <translation>Eine Liste sichtbarer Voxel gilt für einen Isowert und einen Satz Schnitte: jede Änderung ist eine neue Suche.</translation>
+    </message>
+    <message>
+        <source>the one region of 24 that is looked from is extracted, others when the view turns there.</source>
+        <translation>gesucht wird für den einen von 24 Bereichen, aus dem geblickt wird, für andere, wenn die Ansicht dorthin dreht.</translation>
+    </message>
+    <message>
+        <source>a list is made once a region and sampling, and kept.</source>
+        <translation>je Bereich und Abtastung wird eine Liste einmal gemacht und behalten.</translation>
+    </message>
+    <message>
+        <source>Normals that turn within a region</source>
+        <translation>Normalen, die sich in einem Bereich drehen</translation>
+    </message>
+    <message>
+        <source>Gradients that differ by less than the angle count as equal: shading that turns within a run is drawn alike.</source>
+        <translation>Gradienten, die sich um weniger als den Winkel unterscheiden, gelten als gleich: eine Schattierung, die sich in einem Lauf dreht, wird gleich gezeichnet.</translation>
+    </message>
+    <message>
+        <source>an angle of 0 tells all directions apart.</source>
+        <translation>ein Winkel von 0 unterscheidet alle Richtungen.</translation>
+    </message>
+    <message>
+        <source>the error grows with the angle; on a shaded ball at threshold 0.02 under 4 of 255 levels on average, whatever the angle.</source>
+        <translation>der Fehler wächst mit dem Winkel; auf einer schattierten Kugel bei Schwelle 0,02 im Mittel unter 4 von 255 Stufen, bei jedem Winkel.</translation>
+    </message>
+    <message>
+        <source>Rays along a surface</source>
+        <translation>Strahlen entlang einer Oberfläche</translation>
+    </message>
+    <message>
+        <source>A ray that grazes a surface goes through cells on both its sides: a tree is walked to its leaves again and again, and nothing is skipped.</source>
+        <translation>Ein Strahl, der eine Oberfläche streift, läuft durch Zellen auf ihren beiden Seiten: ein Baum wird immer wieder bis zu den Blättern durchlaufen, und nichts wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>16 rays ask once together, and a jump ends at the leaf&apos;s border.</source>
+        <translation>16 Strahlen fragen gemeinsam einmal, und ein Sprung endet am Rand des Blatts.</translation>
+    </message>
+    <message>
+        <source>two to three times the look-ups of a ray that meets the surface square on, at most one in four voxels; the picture is the same.</source>
+        <translation>zwei- bis dreimal so viele Anfragen wie ein Strahl, der senkrecht auftrifft, höchstens eine je vier Voxel; das Bild ist dasselbe.</translation>
+    </message>
 </context>
 <context>
     <name>QToolBar</name>
