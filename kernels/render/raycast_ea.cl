@@ -171,6 +171,7 @@ kernel void raycast_ea(global const voxel_t* restrict volume, constant RayParams
         for (; k < skip.until; ++k) {
             VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & MASK(clear >= floor_t) & MASK(clear > zero);
             VF3 at = ray_at(&r, (VF)((float)k));
+            fetch_ahead(volume, p, &r, at);
             VF value = SEEN(MARCH_SAMPLE(volume, p, at, here), at);
             COUNT(samples += sum_lanes(counted(here));)
             VI row, inside = in_ranges(p, value, &row);

@@ -123,6 +123,7 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
         for (; k < skip.until; ++k) {
             VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & ~done;
             VF3 sample_at = ray_at(&r, (VF)((float)k));
+            fetch_ahead(volume, p, &r, sample_at);
             VF g = SEEN(iso_measure(p, MARCH_SAMPLE(volume, p, sample_at, here)), sample_at);
             COUNT(samples += sum_lanes(counted(here));)
             VI turned = here & ((state.inside & MASK(g < zero)) | (~state.inside & MASK(g >= zero)));

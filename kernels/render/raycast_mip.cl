@@ -92,6 +92,7 @@ kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParam
         for (; k < skip.until; ++k) {
             VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & ~done;
             VF3 at = ray_at(&r, (VF)((float)k));
+            fetch_ahead(volume, p, &r, at);
             VF value = SEEN(MARCH_SAMPLE(volume, p, at, here), at);
             COUNT(samples += sum_lanes(counted(here));)
             VI row, counts = here & in_ranges(p, value, &row);
