@@ -7,6 +7,7 @@
 
 #include "app/parse.h"
 #include "core/base/atomic_file.h"
+#include "core/base/shell_word.h"
 #include "core/render/turn.h"
 
 namespace lacuna::cli {
@@ -73,15 +74,6 @@ SceneWords scene_from(const json& scene, const std::string& file, const std::fil
     return made;
 }
 
-/// A word as a shell reads it.
-std::string quoted(const std::string& word) {
-    const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-=./:@,+%";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-    std::string out = "'";
-    for (const char c : word) out += c == '\'' ? "'\\''" : std::string(1, c);
-    return out + "'";
-}
-
 }  // namespace
 
 std::vector<SceneWords> load_scenes(const std::filesystem::path& file, const std::filesystem::path& data) {
@@ -118,7 +110,7 @@ BenchScene::BenchScene(const SceneWords& scene) : scene_(scene) {
 
 std::string BenchScene::command() const {
     std::string words = "lacuna render";
-    for (const std::string& word : scene_.words) words += " " + quoted(word);
+    for (const std::string& word : scene_.words) words += " " + shell_word(word);
     return words;
 }
 

@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "app/command.h"
 #include "app/input_options.h"
 #include "app/parse.h"
+#include "core/base/shell_word.h"
 #include "core/compute/device.h"
 #include "core/inspect/batch.h"
 #include "core/inspect/report.h"
@@ -25,22 +24,6 @@ struct InspectWords {
     std::vector<std::string> accept, reject;
     std::optional<std::string> worst;
 };
-
-std::string shell_word(const std::string& word) {
-    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
-        return std::isalnum(c) != 0 || std::string_view("._-:@/=+,").find(char(c)) != std::string_view::npos;
-    });
-    if (plain) return word;
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
-
-std::string last_name(const std::string& path) {
-    if (path.starts_with("sample:")) return path;
-    std::filesystem::path p(path);
-    return (p.has_filename() ? p : p.parent_path()).filename().string();
-}
 
 /// The command that makes the report again, without folder names: a report must not differ by where it was made.
 std::string replay_command(const InspectWords& words) {

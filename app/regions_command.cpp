@@ -20,7 +20,9 @@ struct RegionsWords {
     InputOptions input;
     std::optional<std::string> range_width, threshold, background, connectivity, min_voxels, gradient_limit;
     std::string labels, mesh_folder, mesh_format = "stl", json, csv;
-    bool inner = false, merge_slivers = false, exact_surfaces = false;
+    bool inner = false, merge_slivers = false, exact_surfaces = false, no_surfaces = false;
+
+    bool wants_surfaces() const { return !no_surfaces && !(json.empty() && csv.empty()); }
 };
 
 /// The words that need no volume; threshold ends are resolved later.
@@ -158,15 +160,25 @@ std::string table_text(const RegionTable& table) {
     return text;
 }
 
-void write_meshes(const Volume& volume, const RegionTable& table, const RegionOptions& options,
-                  const RegionsWords& words, const JobContext& job) {
+/// One region's closed surface, moved outwards all over by a small length, so that it encloses what its flat triangles
+/// and cut corners leave out: the region's voxels, or on the threshold itself the volume a curved surface has there.
+TriangleMesh mesh_of(const Volume& volume, const RegionTable& table, const RegionCharacteristics& row, bool exact,
+                     const JobContext& job) {
+    const GridGeometry& g = volume.geometry();
+    TriangleMesh mesh = exact ? region_mesh(volume, *table.made_with.threshold, table.labels, row, job)
+                              : region_mesh(table.labels, row, job);
+    const double encloses =
+        exact ? enclosed_volume_mm3(mesh) + std::max(0.0, linear_deficit_mm3(mesh, g)) : row.volume_mm3;
+    offset_to_volume(mesh, encloses, 0.5 * g.smallest_spacing_mm());
+    return mesh;
+}
+
+void write_meshes(const Volume& volume, const RegionTable& table, const RegionsWords& words, const JobContext& job) {
     MeshFolder folder(words.mesh_folder);
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const JobContext quiet{job.stop, nullptr};
-        const TriangleMesh mesh = words.exact_surfaces
-                                      ? region_mesh(volume, *options.threshold, table.labels, table.rows[i], quiet)
-                                      : region_mesh(table.labels, table.rows[i], quiet);
-        folder.add(mesh, fmt::format("region-{:05}.{}", table.rows[i].id, words.mesh_format));
+        folder.add(mesh_of(volume, table, table.rows[i], words.exact_surfaces, quiet),
+                   fmt::format("region-{:05}.{}", table.rows[i].id, words.mesh_format));
         job.checkpoint(i + 1, table.rows.size());
     }
     folder.keep();
@@ -177,8 +189,9 @@ int run_regions(RegionsWords& words, Console& console) {
     RegionOptions options = parse_options(words);
     check_targets(words);
     const Volume volume = words.input.load(console);
-    words.input.require_memory(volume.bytes() + 6 * std::uint64_t(volume.geometry().voxel_count()),
-                               "The volume with its region labels");
+    words.input.require_memory(
+        volume.bytes() + (words.wants_surfaces() ? 8 : 6) * std::uint64_t(volume.geometry().voxel_count()),
+        "The volume with its region labels");
     if (words.threshold || words.background) {
         const VolumeStatistics statistics = compute_statistics(volume, console.job("Measuring"));
         options.threshold = resolve("--threshold", words.threshold, statistics);
@@ -186,8 +199,9 @@ int run_regions(RegionsWords& words, Console& console) {
     }
     RegionTable table = find_regions(volume, options, console.job("Finding regions"));
     if (words.inner) keep_inner(table);
+    if (words.wants_surfaces()) measure_surfaces(volume, table, console.job("Measuring surfaces"));
     if (!words.labels.empty()) write_labels(table.labels, words.labels, console.job("Writing labels"));
-    if (!words.mesh_folder.empty()) write_meshes(volume, table, options, words, console.job("Writing meshes"));
+    if (!words.mesh_folder.empty()) write_meshes(volume, table, words, console.job("Writing meshes"));
     if (!words.json.empty()) write_file(words.json, regions_to_json(table));
     if (!words.csv.empty()) write_file(words.csv, regions_to_csv(table));
     console.print(table_text(table));
@@ -221,6 +235,9 @@ void add_regions_command(CLI::App& app, Action& chosen) {
     command->add_option("--labels", words->labels, "write the regions' ids as a volume, e.g. labels.nrrd");
     command->add_option("--mesh", words->mesh_folder, "write one closed surface a region into this folder");
     command->add_option("--mesh-format", words->mesh_format, "stl (default), ply, obj or vtp");
+    command->add_flag("--no-surfaces", words->no_surfaces,
+                      "leave out of the files what takes a walk round each region: mesh surface, sphere round it, "
+                      "projected areas, sub-voxel volume, distances");
     command->add_option("--json", words->json, "write the table as JSON");
     command->add_option("--csv", words->csv, "write the table as CSV");
     command->callback(

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/order_statistics.h"
 #include "core/render/plan_json.h"
 
 namespace lacuna::cli {
@@ -59,9 +60,7 @@ ordered_json times_json(const std::vector<FrameRecord>& frames) {
     for (const FrameRecord& frame : frames) ms.push_back(frame.ms);
     std::sort(ms.begin(), ms.end());
     if (ms.empty()) return nullptr;
-    const std::size_t half = ms.size() / 2;
-    const double median = ms.size() % 2 ? ms[half] : 0.5 * (ms[half - 1] + ms[half]);
-    return {{"min", ms.front()}, {"median", median}, {"max", ms.back()}};
+    return {{"min", ms.front()}, {"median", median(ms)}, {"max", ms.back()}};
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/atomic_folder.h"
+#include "core/base/shell_word.h"
 #include "core/inspect/batch_journal.h"
 #include "core/io/dicom_source.h"
 #include "core/render/engine.h"
@@ -31,22 +32,6 @@ struct Planned {
     std::string fault;        ///< why it cannot be opened
     std::optional<BatchRow> done;
 };
-
-std::string last_name(const std::string& input) {
-    if (input.starts_with("sample:")) return input;
-    fs::path path(input);
-    if (!path.has_filename()) path = path.parent_path();
-    return path.filename().string();
-}
-
-std::string quoted(const std::string& word) {
-    if (word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-:@/=+,") ==
-        std::string::npos)
-        return word;
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
-}
 
 /// Runs what is planned on several threads, never more at once than memory allows.
 class BatchRunner {
@@ -149,7 +134,7 @@ private:
             inspect.input = part.input;
             inspect.software = options_.software;
             inspect.replay = fmt::format("lacuna inspect {} --criteria criteria.json --report {}",
-                                         quoted(last_name(part.input)), quoted(part.name));
+                                         shell_word(last_name(part.input)), shell_word(part.name));
             inspect.worst = options_.worst;
             if (volume.dicom) inspect.source = find_dicom_source(part.input, options_.open, {job.stop, nullptr});
             report = inspect_part(volume, options_.criteria, masks, engine, inspect, job.part(0.2, 0.9));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/base/order_statistics.h"
 #include "core/inspect/batch.h"
 #include "core/inspect/report_document.h"
 #include "core/inspect/report_text.h"
@@ -19,15 +20,6 @@ const Measured& value_of(const BatchRow& row, const std::string& name) {
     for (const auto& [key, value] : row.values)
         if (key == name) return value;
     return k_missing;
-}
-
-double median(std::vector<double> values) {
-    if (values.empty()) return NAN;
-    const std::size_t half = values.size() / 2;
-    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(half), values.end());
-    const double upper = values[half];
-    if (values.size() % 2) return upper;
-    return 0.5 * (upper + *std::max_element(values.begin(), values.begin() + std::ptrdiff_t(half)));
 }
 
 /// Iglewicz & Hoaglin 1993: 0.6745 (x - median) / MAD; where more than half the values are equal, and MAD is 0, the

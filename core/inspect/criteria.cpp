@@ -146,16 +146,12 @@ private:
         if (options.void_below || options.inclusion_above || options.material) options.method = ThresholdMethod::fixed;
         if (root.contains("method")) {
             const Json& value = root["method"];
-            const std::string word = value.is_string() ? value.get<std::string>() : "";
-            if (word == "local")
-                options.method = ThresholdMethod::local;
-            else if (word == "otsu")
-                options.method = ThresholdMethod::otsu;
-            else if (word == "fixed")
-                options.method = ThresholdMethod::fixed;
-            else
+            try {
+                options.method = parse_threshold_method(value.is_string() ? value.get<std::string>() : "");
+            } catch (const Error&) {
                 refuse("method", "must be \"local\", \"otsu\" or \"fixed\"");
-            if (word == "fixed" && !options.material && !options.void_below)
+            }
+            if (options.method == ThresholdMethod::fixed && !options.material && !options.void_below)
                 refuse("method", "is \"fixed\", but neither material nor defects.void.below gives a value");
         }
         if (!root.contains("connectivity")) return;

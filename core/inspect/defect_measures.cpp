@@ -6,9 +6,11 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/order_statistics.h"
 #include "core/regions/bounding_sphere.h"
 #include "core/regions/region_shell.h"
 #include "core/regions/surface_mesher.h"
+#include "core/regions/value_window.h"
 
 namespace lacuna::inspect {
 
@@ -16,40 +18,6 @@ namespace {
 
 constexpr double k_pi = std::numbers::pi;
 constexpr double k_shift = 0.1;  ///< of the contrast: the thresholds a volume's interval spans
-
-/// Reads a window's slices as floats; outside the grid NaN.
-class SliceReader {
-public:
-    SliceReader(const Volume& volume, const glm::ivec3& first, const glm::ivec3& extent)
-        : volume_(volume), first_(first), extent_(extent), values_(std::size_t(extent.x) * std::size_t(extent.y)) {}
-
-    const std::vector<float>& read(int z) {
-        std::fill(values_.begin(), values_.end(), std::numeric_limits<float>::quiet_NaN());
-        const glm::ivec3 size = volume_.geometry().size;
-        const int at_z = first_.z + z;
-        if (at_z < 0 || at_z >= size.z) return values_;
-        const int x0 = std::max(0, -first_.x), x1 = std::min(extent_.x, size.x - first_.x);
-        visit_type(volume_.type(), [&](auto tag) {
-            const auto view = volume_.view<decltype(tag)>();
-            for (int y = std::max(0, -first_.y); y < std::min(extent_.y, size.y - first_.y); ++y) {
-                const auto* row = view.row(first_.y + y, at_z);
-                float* to = values_.data() + std::size_t(y) * std::size_t(extent_.x);
-                for (int x = x0; x < x1; ++x) to[x] = float(row[first_.x + x]);
-            }
-        });
-        return values_;
-    }
-
-private:
-    const Volume& volume_;
-    glm::ivec3 first_, extent_;
-    std::vector<float> values_;
-};
-
-/// A voxel beside the region belongs to its boundary layer unless something foreign is nearer.
-bool belongs(const RegionShell::SliceView& at, std::size_t i, int layers) {
-    return at.own[i] <= layers && (at.own[i] <= 1 || at.foreign[i] >= at.own[i]) && at.foreign[i] > 0;
-}
 
 /// Grey values of a region's inside and of the material round it.
 struct Sides {
@@ -59,12 +27,6 @@ struct Sides {
     double n = 0, sum = 0, squares = 0, nan = 0;
     double min = std::numeric_limits<double>::infinity(), max = -std::numeric_limits<double>::infinity();
 };
-
-double median_of(std::vector<float>& values) {
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 void count_value(Sides& sides, float value) {
     if (!std::isfinite(value)) {
@@ -122,11 +84,11 @@ Sides look_at_sides(const Volume& volume, const LabelVolume& labels, const MaskV
         return std::abs(level - expected) < 0.4 * std::abs(contrast);
     };
     if (round.size() >= k_few)
-        if (const double level = median_of(round); plausible(level, s.material_level))
+        if (const double level = median(round); plausible(level, s.material_level))
             sides.material_level = level, sides.round = round.size();
     double inner = sides.defect_level;
     if (core.size() >= k_few) {
-        if (const double level = median_of(core); plausible(level, s.defect_level)) sides.defect_level = inner = level;
+        if (const double level = median(core); plausible(level, s.defect_level)) sides.defect_level = inner = level;
     } else {
         inner = shallow_level(own, s);  // moves the surface alone: partial volumes refer to a whole voxel of void
     }
@@ -147,14 +109,12 @@ SurfaceLevel level_for(DefectType type, double threshold) {
 /// Surfaces at several thresholds and the grey-value integral, in one walk.
 struct Walk {
     std::vector<TriangleMesh> meshes;
-    double integral_voxels = 0;
-    double boundary_voxels = 0;  ///< summed by their grey value
+    PartialVolume partial;
 };
 
 Walk walk_surfaces(const Volume& volume, const LabelVolume& labels, const MaskVolume& part, const Surroundings& s,
                    std::uint32_t id, const glm::ivec3& bbox_first, const glm::ivec3& bbox_last,
-                   const std::vector<double>& thresholds, double defect_level, double material_level,
-                   const JobContext& job) {
+                   const std::vector<double>& thresholds, const JobContext& job) {
     const int layers = boundary_layers(s, volume.geometry());
     RegionShell shell(labels, &part, id, bbox_first, bbox_last, layers);
     SliceReader reader(volume, shell.first(), shell.extent());
@@ -171,14 +131,12 @@ Walk walk_surfaces(const Volume& volume, const LabelVolume& labels, const MaskVo
         const std::vector<float>& values = reader.read(z);
         for (std::size_t i = 0; i < plane; ++i) {
             const bool own = at.own[i] == 0, known = std::isfinite(values[i]);
-            mine[i] = own || (known && belongs(at, i, layers));
+            mine[i] = own || (known && in_boundary_layer(at, i, layers));
             if (!mine[i]) continue;
-            if (!known || at.beyond[i] > layers) {
-                walk.integral_voxels += 1;
-            } else {
-                walk.integral_voxels += (material_level - double(values[i])) / (material_level - defect_level);
-                walk.boundary_voxels += 1;
-            }
+            if (!known || at.beyond[i] > layers)
+                walk.partial.add_whole();
+            else
+                walk.partial.add(double(values[i]));
         }
         for (std::size_t k = 0; k < meshers.size(); ++k) {
             const double limit = sign * thresholds[k];
@@ -230,7 +188,8 @@ void set_values(Defect& defect, const Sides& sides) {
     defect.stddev = std::sqrt(std::max(0.0, sides.squares / sides.n - defect.mean * defect.mean));
 }
 
-/// What is impossible is set right and said: no body has less surface than the ball of its volume.
+/// What is impossible is set right and said: no body has less surface than the ball of its volume, and none fits into a
+/// smaller sphere.
 void set_shape(Defect& defect) {
     const double v = defect.volume_mm3.value, d = ball_diameter(v), ball_mm2 = k_pi * d * d;
     if (!(defect.area_mm2.value >= ball_mm2)) {
@@ -238,6 +197,11 @@ void set_shape(Defect& defect) {
         defect.area_mm2.lo = std::min(defect.area_mm2.lo, ball_mm2);
         defect.area_mm2.hi = std::max(defect.area_mm2.hi, ball_mm2);
         defect.flags.emplace_back("surface_clamped");
+    }
+    if (defect.diameter_mm.value < d) {
+        defect.diameter_mm.value = d;
+        defect.diameter_mm.hi = std::max(defect.diameter_mm.hi, d);
+        defect.flags.emplace_back("diameter_clamped");
     }
     const double a = defect.area_mm2.value;
     defect.shape_factor = v > 0 ? std::max(36 * k_pi, a / v * a / v * a) : std::numeric_limits<double>::quiet_NaN();
@@ -254,8 +218,7 @@ int boundary_layers(const Surroundings& s, const GridGeometry& geometry) {
 TriangleMesh surface_at(const Volume& volume, const LabelVolume& labels, const MaskVolume& part, const Surroundings& s,
                         std::uint32_t id, const glm::ivec3& bbox_first, const glm::ivec3& bbox_last, double threshold,
                         const JobContext& job) {
-    Walk walk = walk_surfaces(volume, labels, part, s, id, bbox_first, bbox_last, {threshold}, s.defect_level,
-                              s.material_level, job);
+    Walk walk = walk_surfaces(volume, labels, part, s, id, bbox_first, bbox_last, {threshold}, job);
     return std::move(walk.meshes.front());
 }
 
@@ -276,8 +239,8 @@ void measure_by_values(const Volume& volume, const LabelVolume& labels, const Ma
         thresholds.push_back(sides.full_threshold);
         thresholds.push_back(sides.full_threshold - k_shift * contrast);
     }
-    const Walk walk = walk_surfaces(volume, labels, part, s, defect.id, defect.bbox_first, defect.bbox_last, thresholds,
-                                    sides.defect_level, sides.material_level, job);
+    const Walk walk =
+        walk_surfaces(volume, labels, part, s, defect.id, defect.bbox_first, defect.bbox_last, thresholds, job);
 
     std::array<double, 3> volume_mm3, area, diameter;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -290,14 +253,14 @@ void measure_by_values(const Volume& volume, const LabelVolume& labels, const Ma
         std::clamp(linear_deficit_mm3(walk.meshes[0], geometry), -0.2 * volume_mm3[0], volume_mm3[0]);
     for (double& v : volume_mm3) v = v > 0 ? std::max(0.0, v + deficit) : 0;
     defect.voxel_volume_mm3 = double(defect.voxels) * voxel;
-    defect.integral_volume_mm3 = std::max(0.0, walk.integral_voxels) * voxel;
+    defect.integral_volume_mm3 = std::max(0.0, walk.partial.voxels(sides.defect_level, sides.material_level)) * voxel;
     defect.surface_mesh_mm2 = area[0];
 
     // Noise: each summed voxel's own, and that of the material level they are all held against.
     const double relative = s.noise / std::abs(contrast);
     const double integral_noise =
-        relative * voxel * std::sqrt(walk.boundary_voxels) +
-        (sides.round ? relative * voxel * walk.boundary_voxels / std::sqrt(double(sides.round)) : 0);
+        relative * voxel * std::sqrt(walk.partial.boundary_voxels()) +
+        (sides.round ? relative * voxel * walk.partial.boundary_voxels() / std::sqrt(double(sides.round)) : 0);
     const double smooth_area =
         std::max(defect.surface_crofton_mm2, std::min(area[0], 1.5 * defect.surface_crofton_mm2));
     const double rounding = (s.binary ? 0.15 : 0.03) * h * smooth_area;
@@ -323,29 +286,6 @@ void measure_by_values(const Volume& volume, const LabelVolume& labels, const Ma
     for (const glm::dvec3& v : walk.meshes[0].vertices) points.push_back({glm::vec3(v), defect.id});
     if (walk.meshes[0].vertices.empty())  // too faint for a surface at the local level: its centre stands for it
         points.push_back({glm::vec3(defect.centroid_mm), defect.id});
-}
-
-glm::dvec3 projected_areas_mm2(const LabelVolume& labels, std::uint32_t id, const glm::ivec3& bbox_first,
-                               const glm::ivec3& bbox_last) {
-    const glm::ivec3 n = bbox_last - bbox_first + 1;
-    std::vector<std::uint8_t> along_x(std::size_t(n.y) * std::size_t(n.z)),
-        along_y(std::size_t(n.x) * std::size_t(n.z)), along_z(std::size_t(n.x) * std::size_t(n.y));
-    for (int z = 0; z < n.z; ++z)
-        for (int y = 0; y < n.y; ++y) {
-            const std::uint32_t* row =
-                labels.labels->data() + labels.geometry.linear_index(bbox_first.x, bbox_first.y + y, bbox_first.z + z);
-            for (int x = 0; x < n.x; ++x) {
-                if (row[x] != id) continue;
-                along_x[std::size_t(z) * std::size_t(n.y) + std::size_t(y)] = 1;
-                along_y[std::size_t(z) * std::size_t(n.x) + std::size_t(x)] = 1;
-                along_z[std::size_t(y) * std::size_t(n.x) + std::size_t(x)] = 1;
-            }
-        }
-    const auto sum = [](const std::vector<std::uint8_t>& shadow) {
-        return double(std::count(shadow.begin(), shadow.end(), 1));
-    };
-    const glm::dvec3 h = labels.geometry.spacing;
-    return {sum(along_x) * h.y * h.z, sum(along_y) * h.x * h.z, sum(along_z) * h.x * h.y};
 }
 
 double expected_by_chance(std::int64_t voxels, double depth, double noise, double trials) {

@@ -32,10 +32,6 @@ TriangleMesh surface_at(const Volume& volume, const LabelVolume& labels, const M
                         std::uint32_t id, const glm::ivec3& bbox_first, const glm::ivec3& bbox_last, double threshold,
                         const JobContext& job);
 
-/// Areas of the region's shadow along x, y and z, mm^2.
-glm::dvec3 projected_areas_mm2(const LabelVolume& labels, std::uint32_t id, const glm::ivec3& bbox_first,
-                               const glm::ivec3& bbox_last);
-
 /// Distance of each defect to the part's outer surface (its interval: both surfaces' shift) and to the next defect,
 /// from surface to surface: `points` holds each defect's own surface vertices. The frame counts as surface where it
 /// cuts the part.

@@ -4,7 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/inspect/analysis_work.h"
 #include "core/inspect/defect_measures.h"
-#include "core/inspect/void_scan.h"
+#include "core/regions/part_outline.h"
 
 namespace lacuna::inspect {
 
@@ -15,24 +15,15 @@ constexpr std::uint32_t k_untouched = 0xFFFFFFFFu;  ///< the id of a component t
 constexpr double k_least_probability = 0.5;         ///< a find more likely noise than not is none
 
 /// Fills the part's mask, its box and its volume at the threshold.
-std::int64_t set_part(Work& w, const PartRuns& runs_of_part, double* material_voxels, const VoidScan& scan) {
+std::int64_t set_part(Work& w, const outline::PartRuns& runs_of_part, double* material_voxels,
+                      const outline::VoidScan& scan) {
     const GridGeometry& geometry = w.volume.geometry();
-    auto bytes = std::make_shared<std::vector<std::uint8_t>>(std::size_t(geometry.voxel_count()), std::uint8_t(0));
-    glm::ivec3 first(std::numeric_limits<int>::max()), last(-1);
-    for (int z = 0; z < geometry.size.z; ++z)
-        runs::for_runs(runs_of_part.list, z, [&](int y, int at_z, const runs::Run& run, std::size_t k) {
-            if (!runs_of_part.kept(k)) return;
-            std::uint8_t* row = bytes->data() + geometry.linear_index(0, y, at_z);
-            std::fill(row + run.first, row + run.last + 1, std::uint8_t(1));
-            first = glm::min(first, glm::ivec3(run.first, y, at_z));
-            last = glm::max(last, glm::ivec3(run.last, y, at_z));
-        });
-    w.analysis.part_mask = {geometry, bytes};
+    const auto [mask, first, last] = outline::mask_of(runs_of_part, geometry);
+    w.analysis.part_mask = mask;
     double voids = 0;
     for (int z = 0; z < geometry.size.z; ++z)
         runs::for_runs(scan.list, z, [&](int y, int at_z, const runs::Run& run, std::size_t k) {
-            if (!scan.is_outside(k) && (*bytes)[std::size_t(geometry.linear_index(run.first, y, at_z))])
-                voids += run.last - run.first + 1;
+            if (!scan.is_outside(k) && w.analysis.part_mask(run.first, y, at_z)) voids += run.last - run.first + 1;
         });
     *material_voxels = double(runs_of_part.voxels) - voids;
     PartFacts& part = w.part();
@@ -97,7 +88,7 @@ void choose(Candidates& candidates, const MaskVolume& part, std::int64_t least, 
 }
 
 struct FaintVoids {
-    VoidScan scan;
+    outline::VoidScan scan;
     std::vector<std::uint32_t> id_of;
 };
 
@@ -117,7 +108,8 @@ void choose_faint(const Work& w, FaintVoids& faint, std::uint32_t& next) {
         });
     Candidates candidates{DefectType::void_, faint.scan.list, faint.scan.components, {}};
     choose(candidates, w.analysis.part_mask, least_voxels(w.options), next, [&](std::size_t c) {
-        return faint.scan.kind[c] == Space::closed && !ordinary[c] && double(faint.scan.components.voxels[c]) <= most;
+        return faint.scan.kind[c] == outline::Space::closed && !ordinary[c] &&
+               double(faint.scan.components.voxels[c]) <= most;
     });
     faint.id_of = std::move(candidates.id_of);
 }
@@ -254,13 +246,15 @@ void find_and_measure(Work& w, const JobContext& job) {
     const DetectionOptions& o = w.options;
     PartAnalysis& a = w.analysis;
     const double voxel = w.volume.geometry().voxel_volume_mm3();
-    VoidScan scan = scan_voids(w.volume, w.part().material_threshold, w.filled, o.connectivity, job.part(0, 0.1));
+    outline::VoidScan scan =
+        outline::scan_voids(w.volume, w.part().material_threshold, w.filled, o.connectivity, job.part(0, 0.1));
     double material_voxels = 0;
     w.part().part_volume_mm3.value =
-        double(set_part(w, find_part(scan, o.connectivity, job.part(0.1, 0.15)), &material_voxels, scan)) * voxel;
+        double(set_part(w, outline::find_part(scan, o.connectivity, job.part(0.1, 0.15)), &material_voxels, scan)) *
+        voxel;
     w.part().material_volume_mm3 = material_voxels * voxel;
     if (w.void_threshold != w.part().material_threshold)
-        scan = scan_voids(w.volume, w.void_threshold, w.filled, o.connectivity, job.part(0.15, 0.2));
+        scan = outline::scan_voids(w.volume, w.void_threshold, w.filled, o.connectivity, job.part(0.15, 0.2));
 
     a.labels = {w.volume.geometry(),
                 std::make_shared<std::vector<std::uint32_t>>(std::size_t(w.volume.geometry().voxel_count()))};
@@ -269,12 +263,12 @@ void find_and_measure(Work& w, const JobContext& job) {
     voids.id_of.assign(scan.components.count(), k_untouched);
     if (o.voids)
         choose(voids, a.part_mask, least_voxels(o), next,
-               [&](std::size_t c) { return scan.kind[c] != Space::outside; });
+               [&](std::size_t c) { return scan.kind[c] != outline::Space::outside; });
     paint(voids, a.labels, job.part(0.2, 0.25));
     const std::uint32_t first_faint = next;
     FaintVoids faint;
     if (o.voids && w.local_voids() && w.faint_threshold() > w.void_threshold) {
-        faint.scan = scan_voids(w.volume, w.faint_threshold(), w.filled, o.connectivity, job.part(0.25, 0.27));
+        faint.scan = outline::scan_voids(w.volume, w.faint_threshold(), w.filled, o.connectivity, job.part(0.25, 0.27));
         choose_faint(w, faint, next);
     }
     Candidates faint_voids{DefectType::void_, faint.scan.list, faint.scan.components, faint.id_of};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/order_statistics.h"
 #include "core/base/parallel.h"
 
 namespace lacuna::inspect {
@@ -103,12 +104,6 @@ double side_median(const VolumeStatistics& s, double threshold, bool below) {
     return threshold;
 }
 
-double median_of(std::vector<double>& values) {
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 }  // namespace
 
 GreyLevels find_levels(const Volume& volume, const VolumeStatistics& statistics) {
@@ -161,7 +156,7 @@ double measure_noise(const Volume& volume, double threshold) {
         }
     });
     if (differences.size() < 16) return 0;
-    return k_mad_to_sigma * median_of(differences) / std::sqrt(2.0);
+    return k_mad_to_sigma * median(std::move(differences)) / std::sqrt(2.0);
 }
 
 namespace {
@@ -247,7 +242,7 @@ double measure_edge_width(const Volume& volume, const GreyLevels& levels, const 
         }
     });
     if (probe.squared_sigma_mm2.empty()) return std::numeric_limits<double>::quiet_NaN();
-    return std::sqrt(std::max(0.0, median_of(probe.squared_sigma_mm2)));
+    return std::sqrt(std::max(0.0, median(std::move(probe.squared_sigma_mm2))));
 }
 
 }  // namespace lacuna::inspect

@@ -6,15 +6,14 @@
 
 namespace lacuna {
 
-namespace {
-
-/// The input's last name: folders differ from machine to machine, and may name people.
 std::string last_name(const std::string& input) {
     if (input.starts_with("sample:")) return input;
     std::filesystem::path path(input);
     if (!path.has_filename()) path = path.parent_path();
     return path.filename().string();
 }
+
+namespace {
 
 ScanFacts facts_of(const Volume& volume, const std::string& input, const JobContext& job) {
     ScanFacts facts;

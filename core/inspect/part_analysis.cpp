@@ -4,11 +4,20 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/names.h"
 #include "core/inspect/analysis_work.h"
 #include "core/inspect/defect_measures.h"
-#include "core/inspect/void_scan.h"
+#include "core/regions/part_outline.h"
 
 namespace lacuna {
+
+namespace {
+
+constexpr NameTable<ThresholdMethod, 3> k_method_names{
+    {{ThresholdMethod::local, "local"}, {ThresholdMethod::otsu, "otsu"}, {ThresholdMethod::fixed, "fixed"}}};
+constexpr NameTable<DefectType, 2> k_type_names{{{DefectType::void_, "void"}, {DefectType::inclusion, "inclusion"}}};
+
+}  // namespace
 
 namespace inspect {
 
@@ -59,7 +68,7 @@ void adopt_given(Work& w, const VolumeStatistics& s) {
 void set_thresholds(Work& w, const JobContext& job) {
     const DetectionOptions& o = w.options;
     double t = w.levels.threshold;
-    w.filled = fills_frame(w.volume, t);
+    w.filled = outline::fills_frame(w.volume, t);
     w.sweep =
         sweep_thresholds(w.volume, w.levels, w.filled, o.connectivity, std::max<std::int64_t>(o.min_voxels, 1), job);
     const ValueRange plateau = w.sweep.curve.plateau;
@@ -67,7 +76,7 @@ void set_thresholds(Work& w, const JobContext& job) {
         // Local surfaces lie half way; detection starts from there. Otsu's threshold moves onto the plateau.
         if (o.method == ThresholdMethod::local) t = (w.levels.air + w.levels.material) / 2;
         if (o.method == ThresholdMethod::otsu && plateau.lo <= plateau.hi) t = std::clamp(t, plateau.lo, plateau.hi);
-        w.filled = fills_frame(w.volume, t);
+        w.filled = outline::fills_frame(w.volume, t);
     }
     if (plateau.lo > plateau.hi)
         w.warn(
@@ -130,19 +139,13 @@ void no_material(Work& w) {
 
 }  // namespace inspect
 
-std::string_view name_of(ThresholdMethod method) {
-    switch (method) {
-        case ThresholdMethod::otsu:
-            return "otsu";
-        case ThresholdMethod::fixed:
-            return "fixed";
-        case ThresholdMethod::local:
-            break;
-    }
-    return "local";
+std::string_view name_of(ThresholdMethod method) { return name_in(k_method_names, method); }
+
+ThresholdMethod parse_threshold_method(std::string_view text) {
+    return parse_name(k_method_names, text, "threshold method");
 }
 
-std::string_view name_of(DefectType type) { return type == DefectType::void_ ? "void" : "inclusion"; }
+std::string_view name_of(DefectType type) { return name_in(k_type_names, type); }
 
 TriangleMesh defect_mesh(const Volume& volume, const PartAnalysis& analysis, std::uint32_t id, const JobContext& job) {
     if (id == 0 || id > analysis.defects.size() || volume.geometry().size != analysis.labels.geometry.size)

@@ -21,7 +21,9 @@ namespace lacuna {
 enum class ThresholdMethod { otsu, fixed, local };
 enum class DefectType { void_, inclusion };
 
-std::string_view name_of(ThresholdMethod method);
+std::string_view name_of(ThresholdMethod method);  ///< "otsu", "fixed", "local"
+/// @throws Error(bad_usage) listing the known words
+ThresholdMethod parse_threshold_method(std::string_view text);
 std::string_view name_of(DefectType type);  ///< "void", "inclusion"
 
 /// Below this many voxels a defect's size is less certain than it is large.
@@ -108,9 +110,9 @@ struct PartAnalysis {
 };
 
 /// One closed, outward-oriented surface of a defect, in mm: vertices where the values pass Defect::threshold by linear
-/// interpolation, then all moved outwards by the same small length (well under a voxel), so that it encloses the volume
-/// of the defect's row and not the one its flat triangles cut off. @throws Error(bad_usage) for an id that is not
-/// there; Error(cancelled)
+/// interpolation, then all moved outwards by the same small length (half a voxel at most), so that it encloses the
+/// volume of the defect's row and not the one its flat triangles cut off. @throws Error(bad_usage) for an id that is
+/// not there; Error(cancelled)
 TriangleMesh defect_mesh(const Volume& volume, const PartAnalysis& analysis, std::uint32_t id,
                          const JobContext& job = {});
 

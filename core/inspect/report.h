@@ -72,6 +72,10 @@ struct InspectOptions {
     std::shared_ptr<const DicomSource> source;  ///< of find_dicom_source, where the volume came from DICOM
 };
 
+/// What a report calls its input: its last name, for folders differ from machine to machine and may name people; a
+/// sample's whole name.
+std::string last_name(const std::string& input);
+
 /// Measures, judges and draws a part.
 /// @param masks  of lay_zones(criteria, volume.geometry()): laid before, so that a bad zone costs no work
 /// @throws what analyse_part, judge and Engine::render throw

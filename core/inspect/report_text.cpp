@@ -6,9 +6,6 @@
 
 namespace lacuna {
 
-// fmt without 'L' never asks the locale: always a dot.
-std::string exact_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
-
 std::string short_number(double value) {
     if (std::isnan(value)) return "not measurable";
     if (std::isinf(value)) return value > 0 ? "none" : "-inf";

@@ -5,13 +5,12 @@
 #include <vector>
 
 #include "core/base/csv.h"
+#include "core/base/number_text.h"
 #include "core/inspect/report.h"
 
 // What more than one of the report's files says, in one place.
 namespace lacuna {
 
-/// Shortest digits that read back the same, dot decimals in every locale; empty for NaN and infinity.
-std::string exact_number(double value);
 /// "12.3", four significant digits; "none" for infinity, "not measurable" for NaN.
 std::string short_number(double value);
 /// "12.3 [11.9, 12.8]".

@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/inspect/void_scan.h"
+#include "core/base/order_statistics.h"
+#include "core/regions/part_outline.h"
 
 namespace lacuna::inspect {
 
@@ -33,8 +34,7 @@ std::vector<double> slopes_of(const std::vector<double>& porosity) {
     for (int k = 0; k < n; ++k) {
         std::array<double, 5> near;
         for (int i = 0; i < 5; ++i) near[std::size_t(i)] = raw[std::size_t(std::clamp(k + i - 2, 0, n - 1))];
-        std::nth_element(near.begin(), near.begin() + 2, near.end());
-        slopes.push_back(near[2]);
+        slopes.push_back(median(near));
     }
     return slopes;
 }
@@ -73,18 +73,19 @@ StabilitySweep sweep_thresholds(const Volume& volume, const GreyLevels& levels, 
     for (int i = 0; i < k_points; ++i) {
         const JobContext step = job.part(double(i) / k_points, double(i + 1) / k_points);
         const double t = levels.air + levels.contrast() * (k_first + (k_last - k_first) * i / (k_points - 1));
-        const VoidScan scan = scan_voids(volume, t, filled, connectivity, step.part(0, 0.7));
-        const PartRuns part = find_part(scan, connectivity, step.part(0.7, 0.9));
+        const outline::VoidScan scan = outline::scan_voids(volume, t, filled, connectivity, step.part(0, 0.7));
+        const outline::PartRuns part = outline::find_part(scan, connectivity, step.part(0.7, 0.9));
         double count = 0, voids = 0;
         for (std::size_t c = 0; c < scan.kind.size(); ++c) {
-            if (scan.kind[c] == Space::outside || scan.components.voxels[c] < std::uint64_t(min_voxels)) continue;
+            if (scan.kind[c] == outline::Space::outside || scan.components.voxels[c] < std::uint64_t(min_voxels))
+                continue;
             count += 1;
             voids += double(scan.components.voxels[c]);
         }
         sweep.curve.threshold.push_back(t);
         sweep.curve.porosity_percent.push_back(part.voxels > 0 ? 100 * voids / double(part.voxels) : 0);
         sweep.curve.count.push_back(count);
-        sweep.curve.euler.push_back(double(euler_of_voids(scan, connectivity, min_voxels)));
+        sweep.curve.euler.push_back(double(outline::euler_of_voids(scan, connectivity, min_voxels)));
         sweep.part_voxels.push_back(double(part.voxels));
     }
     sweep.curve.plateau = find_plateau(sweep.curve, levels.contrast());

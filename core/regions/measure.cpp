@@ -247,7 +247,7 @@ void set_shape(RegionCharacteristics& row, const Sums& sums, const GridGeometry&
     row.volume_mm3 = double(sums.voxels) * geometry.voxel_volume_mm3();
     row.equivalent_diameter_mm = std::cbrt(6 * row.volume_mm3 / pi);
     const double ball_mm2 = pi * row.equivalent_diameter_mm * row.equivalent_diameter_mm;
-    row.surface_mm2 = double(sums.surface) * surface_unit_mm2;
+    row.surface_mm2 = row.surface_crofton_mm2 = double(sums.surface) * surface_unit_mm2;
     row.shape_factor = row.surface_mm2 / row.volume_mm3 * row.surface_mm2 / row.volume_mm3 * row.surface_mm2;
     row.sphericity = ball_mm2 / row.surface_mm2;
     if (row.surface_mm2 > ball_mm2) {

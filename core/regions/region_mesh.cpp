@@ -1,48 +1,53 @@
 #include <algorithm>
 
+#include "core/regions/region_march.h"
 #include "core/regions/regions.h"
-#include "core/regions/surface_mesher.h"
+#include "core/regions/value_window.h"
 
 namespace lacuna {
 
-namespace {
+void check_box(const LabelVolume& labels, const RegionCharacteristics& region) {
+    const glm::ivec3 first = region.bbox_first, extent = region.bbox_last - first + 1;
+    if (glm::any(glm::lessThan(first, glm::ivec3(0))) || glm::any(glm::lessThan(extent, glm::ivec3(1))) ||
+        glm::any(glm::greaterThanEqual(region.bbox_last, labels.geometry.size)) || !labels.labels)
+        throw Error(Errc::bad_input, "The region's box lies outside the labels; measure these labels first.");
+}
 
-/// Values of one padded slice; outside the grid NaN.
-template <class T>
-void read_slice(const VolumeView<T>& view, const glm::ivec3& first, const glm::ivec3& extent, int z, float* out) {
-    std::fill(out, out + std::size_t(extent.x) * std::size_t(extent.y), std::numeric_limits<float>::quiet_NaN());
-    if (z < 0 || z >= view.size.z) return;
-    const int x0 = std::max(0, -first.x), x1 = std::min(extent.x, view.size.x - first.x);
-    for (int y = std::max(0, -first.y); y < std::min(extent.y, view.size.y - first.y); ++y) {
-        const T* row = view.row(first.y + y, z);
-        float* to = out + std::size_t(y) * std::size_t(extent.x);
-        for (int x = x0; x < x1; ++x) to[x] = float(row[first.x + x]);
+SurfaceMesher mesher_for(const LabelVolume& labels, const RegionCharacteristics& region, SurfaceLevel level) {
+    check_box(labels, region);
+    return {region.bbox_last - region.bbox_first + 3, region.bbox_first - 1, labels.geometry, level};
+}
+
+void march_region(const LabelVolume& labels, const RegionCharacteristics& region, const Volume* volume,
+                  SurfaceMesher& mesher, const std::function<void()>& after_slice, const JobContext& job) {
+    const glm::ivec3 inner = region.bbox_last - region.bbox_first + 1, extent = inner + 2;
+    const glm::ivec3 first = region.bbox_first - 1;
+    std::vector<std::uint8_t> inside(std::size_t(extent.x) * std::size_t(extent.y));
+    std::optional<SliceReader> reader;
+    if (volume) reader.emplace(*volume, first, extent);
+    for (int z = 0; z < extent.z; ++z) {
+        std::fill(inside.begin(), inside.end(), 0);
+        for (int y = 0; z > 0 && z + 1 < extent.z && y < inner.y; ++y) {
+            const std::uint32_t* row =
+                labels.labels->data() +
+                labels.geometry.linear_index(region.bbox_first.x, region.bbox_first.y + y, first.z + z);
+            std::uint8_t* to = inside.data() + std::size_t(y + 1) * std::size_t(extent.x) + 1;
+            for (int x = 0; x < inner.x; ++x) to[x] = row[x] == region.id;
+        }
+        mesher.push(inside.data(), reader ? reader->read(z).data() : nullptr);
+        after_slice();
+        job.checkpoint(std::size_t(z) + 1, std::size_t(extent.z));
     }
 }
 
+namespace {
+
 TriangleMesh mesh_of(const LabelVolume& labels, const RegionCharacteristics& region, const Volume* volume,
                      SurfaceLevel level, const JobContext& job) {
-    const std::vector<std::uint8_t> mask = region_mask(labels, region);
     job.check();
-    const glm::ivec3 inner = region.bbox_last - region.bbox_first + 1, extent = inner + 2;
-    const glm::ivec3 first = region.bbox_first - 1;
-    SurfaceMesher mesher(extent, first, labels.geometry, level);
-    const std::size_t plane = std::size_t(extent.x) * std::size_t(extent.y);
-    std::vector<std::uint8_t> inside(plane);
-    std::vector<float> values(volume ? plane : 0);
-    for (int z = 0; z < extent.z; ++z) {
-        std::fill(inside.begin(), inside.end(), 0);
-        if (z > 0 && z + 1 < extent.z)
-            for (int y = 0; y < inner.y; ++y)
-                std::copy_n(mask.begin() + (std::int64_t(z - 1) * inner.y + y) * inner.x, inner.x,
-                            inside.begin() + std::int64_t(y + 1) * extent.x + 1);
-        if (volume)
-            visit_type(volume->type(), [&](auto tag) {
-                read_slice(volume->view<decltype(tag)>(), first, extent, first.z + z, values.data());
-            });
-        mesher.push(inside.data(), volume ? values.data() : nullptr);
-        job.checkpoint(std::size_t(z) + 1, std::size_t(extent.z));
-    }
+    SurfaceMesher mesher = mesher_for(labels, region, level);
+    march_region(
+        labels, region, volume, mesher, [] {}, job);
     return mesher.finish();
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/csv.h"
+#include "core/base/number_text.h"
 #include "core/regions/regions.h"
 
 namespace lacuna {
@@ -36,13 +37,19 @@ Json json_of(const RegionCharacteristics& row) {
     json["touches_border"] = row.touches_border;
     json["euler"] = row.euler;
     json["flags"] = row.flags;
+    json["surface_crofton_mm2"] = row.surface_crofton_mm2;
+    json["surface_mesh_mm2"] = row.surface_mesh_mm2;
+    json["diameter_mm"] = row.diameter_mm;
+    json["projected_area_mm2"] = json_of(row.projected_area_mm2);
+    json["integral_volume_mm3"] = row.integral_volume_mm3;
+    json["surface_distance_mm"] = row.surface_distance_mm;
+    json["gap_mm"] = row.gap_mm;
     return json;
 }
 
-// fmt without 'L' never asks the locale: always a dot, always the shortest digits that read back the same.
-std::string number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
-
-std::string triple(const glm::dvec3& v) { return number(v.x) + ' ' + number(v.y) + ' ' + number(v.z); }
+std::string triple(const glm::dvec3& v) {
+    return exact_number(v.x) + ' ' + exact_number(v.y) + ' ' + exact_number(v.z);
+}
 
 std::string flags_of(const RegionCharacteristics& row) {
     std::string all;
@@ -54,25 +61,31 @@ constexpr const char* k_csv_header =
     "id,voxels,volume_mm3,fraction,surface_mm2,shape_factor,sphericity,holes,tunnels,mean,min,max,stddev,"
     "centroid_mm,bbox_mm,equivalent_diameter_mm,principal_lengths_mm,touches_border,euler,flags,"
     "centroid_mm_x,centroid_mm_y,centroid_mm_z,bbox_min_mm_x,bbox_min_mm_y,bbox_min_mm_z,"
-    "bbox_max_mm_x,bbox_max_mm_y,bbox_max_mm_z,principal_lengths_mm_1,principal_lengths_mm_2,principal_lengths_mm_3"
-    "\r\n";
+    "bbox_max_mm_x,bbox_max_mm_y,bbox_max_mm_z,principal_lengths_mm_1,principal_lengths_mm_2,principal_lengths_mm_3,"
+    "surface_crofton_mm2,surface_mesh_mm2,diameter_mm,projected_area_mm2,projected_area_mm2_x,projected_area_mm2_y,"
+    "projected_area_mm2_z,integral_volume_mm3,surface_distance_mm,gap_mm\r\n";
 
 void append_row(std::string& csv, const RegionCharacteristics& row) {
     const auto add = [&csv](std::string_view field) { csv.append(field).push_back(','); };
     add(fmt::format("{},{}", row.id, row.voxels));
     for (const double v : {row.volume_mm3, row.fraction, row.surface_mm2, row.shape_factor, row.sphericity})
-        add(number(v));
+        add(exact_number(v));
     add(fmt::format("{},{}", row.holes, row.tunnels));
-    for (const double v : {row.mean, row.min, row.max, row.stddev}) add(number(v));
+    for (const double v : {row.mean, row.min, row.max, row.stddev}) add(exact_number(v));
     add(triple(row.centroid_mm));
     add(triple(row.bbox_min_mm) + ' ' + triple(row.bbox_max_mm));
-    add(number(row.equivalent_diameter_mm));
+    add(exact_number(row.equivalent_diameter_mm));
     add(triple(row.principal_lengths_mm));
     add(row.touches_border ? "true" : "false");
     add(fmt::format("{}", row.euler));
     add(flags_of(row));
     for (const glm::dvec3& v : {row.centroid_mm, row.bbox_min_mm, row.bbox_max_mm, row.principal_lengths_mm})
-        for (int axis = 0; axis < 3; ++axis) add(number(v[axis]));
+        for (int axis = 0; axis < 3; ++axis) add(exact_number(v[axis]));
+    for (const double v : {row.surface_crofton_mm2, row.surface_mesh_mm2, row.diameter_mm}) add(exact_number(v));
+    const glm::dvec3 shadow = row.projected_area_mm2;
+    add(std::isfinite(shadow.x) ? triple(shadow) : "");
+    for (const double v : {shadow.x, shadow.y, shadow.z, row.integral_volume_mm3, row.surface_distance_mm, row.gap_mm})
+        add(exact_number(v));
     csv.pop_back();
     csv += "\r\n";
 }
@@ -82,6 +95,7 @@ void append_row(std::string& csv, const RegionCharacteristics& row) {
 std::string regions_to_json(const RegionTable& table) {
     Json head;
     head["surface_method"] = table.surface_method;
+    head["surface_mesh_method"] = table.mesh_method;
     head["adjacency"] = table.adjacency;
     head["value_range"] = Json::array({table.value_range.lo, table.value_range.hi});
     head["count"] = table.rows.size();

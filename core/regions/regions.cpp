@@ -6,6 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/regions/labelling.h"
+#include "core/regions/region_march.h"
 
 namespace lacuna {
 
@@ -69,6 +70,7 @@ std::string describe_adjacency(Connectivity connectivity) {
 RegionTable find_regions(const Volume& volume, const RegionOptions& options, const JobContext& job) {
     check_options(volume, options);
     RegionTable table;
+    table.made_with = options;
     table.value_range = finite_range(volume, job.part(0, 0.03));
     if (options.range_width) {
         labelling::ProvisionalLabels provisional = labelling::grow_regions(
@@ -99,10 +101,8 @@ HomogeneousRegions grow_homogeneous_regions(const Volume& volume, const RegionOp
 }
 
 std::vector<std::uint8_t> region_mask(const LabelVolume& labels, const RegionCharacteristics& region) {
+    check_box(labels, region);
     const glm::ivec3 first = region.bbox_first, extent = region.bbox_last - first + 1;
-    if (glm::any(glm::lessThan(first, glm::ivec3(0))) || glm::any(glm::lessThan(extent, glm::ivec3(1))) ||
-        glm::any(glm::greaterThanEqual(region.bbox_last, labels.geometry.size)) || !labels.labels)
-        throw Error(Errc::bad_input, "The region's box lies outside the labels; measure these labels first.");
     std::vector<std::uint8_t> mask(std::size_t(std::int64_t(extent.x) * extent.y * extent.z));
     std::uint8_t* out = mask.data();
     for (int z = 0; z < extent.z; ++z)

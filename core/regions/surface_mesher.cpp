@@ -33,6 +33,19 @@ void SurfaceMesher::push(const std::uint8_t* inside, const float* values) {
     if (slices_++ > 0) march_slab();
 }
 
+TriangleMesh SurfaceMesher::take() {
+    TriangleMesh kept;
+    for (std::size_t axis = 0; axis < 2; ++axis)  // the next slab uses the vertices of its lower slice again
+        for (std::uint32_t& id : along_[axis]) {
+            if (id == k_none) continue;
+            kept.vertices.push_back(mesh_.vertices[id]);
+            id = std::uint32_t(kept.vertices.size() - 1);
+        }
+    TriangleMesh done = finish();
+    mesh_ = std::move(kept);
+    return done;
+}
+
 TriangleMesh SurfaceMesher::finish() {
     if (glm::determinant(geometry_.direction) < 0)  // a mirrored grid turns the triangles inside out
         for (auto& t : mesh_.triangles) std::swap(t[1], t[2]);

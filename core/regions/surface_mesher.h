@@ -38,6 +38,10 @@ public:
 
     /// The next slice: extent.x * extent.y entries each, 1 inside, 0 outside; `values` may be null: all half way.
     void push(const std::uint8_t* inside, const float* values);
+    /// What is finished so far, and forgets it: taken after every push, the mesher holds two slices' vertices at most.
+    /// The pieces together are the surface; vertices on the slice between two pieces stand in both.
+    TriangleMesh take();
+    /// The surface, or what was not taken of it.
     TriangleMesh finish();
 
 private:

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/order_statistics.h"
 #include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/io/dicom_reader.h"
@@ -91,11 +92,6 @@ long status_kib(const std::string& key) {
     for (std::string line; std::getline(status, line);)
         if (line.rfind(key, 0) == 0) return std::atol(line.c_str() + key.size() + 1);
     return 0;
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // bench_inspect [SIZE [PORES]]: seconds and peak memory of analyse_part on a casting of its own making (a cylinder with
 // that many balls of 1.5 to 8 voxels radius, blur 0.8 voxels, noise; default 512 and 5000), and connected components in
-// turn with ITK's filter on the same data where ITK's headers are installed. Linux only: the peak comes from /proc.
+// turn with ITK's filter on the same data where ITK's headers are installed; between them the table of lacuna regions.
+// Linux only: the peak comes from /proc.
 
 #include <algorithm>
 #include <cmath>
@@ -139,6 +140,25 @@ void measure_inspection(const Volume& volume, const std::vector<Ball>& balls) {
     std::fflush(stdout);
 }
 
+/// The table of `lacuna regions --threshold min,T` on the same volume, surfaces and distances included.
+void measure_region_table(const Volume& volume) {
+    const double voxels = double(volume.geometry().voxel_count());
+    std::ofstream("/proc/self/clear_refs") << "5";
+    const double before = status_bytes("VmRSS:");
+    const Stopwatch clock;
+    RegionOptions options;
+    options.threshold = ValueRange{0, (k_air + k_metal) / 2};
+    options.connectivity = Connectivity::c26;
+    options.min_voxels = 8;
+    RegionTable table = find_regions(volume, options);
+    const double found_s = clock.ms() / 1000;
+    measure_surfaces(volume, table);
+    const double s = clock.ms() / 1000, bytes = (status_bytes("VmHWM:") - before) / voxels;
+    std::printf("region table: %.2f s, %.2f of them surfaces and distances, %zu rows, %.2f bytes a voxel\n", s,
+                s - found_s, table.rows.size(), bytes);
+    std::fflush(stdout);
+}
+
 #ifdef LACUNA_BENCH_ITK_COMPONENTS
 using ByteImage = itk::Image<std::uint8_t, 3>;
 using LabelImage = itk::Image<std::uint32_t, 3>;
@@ -200,6 +220,7 @@ int main(int argc, char** argv) {
     const Volume volume = paint(size, balls);
     std::printf("%d threads\n", thread_count());
     measure_inspection(volume, balls);
+    measure_region_table(volume);
 #ifdef LACUNA_BENCH_ITK_COMPONENTS
     measure_components(volume);
 #endif

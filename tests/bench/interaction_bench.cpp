@@ -11,6 +11,7 @@
 #include <QTest>
 #include <algorithm>
 
+#include "core/base/order_statistics.h"
 #include "core/compute/device.h"
 #include "ui/main_window.h"
 #include "ui/preferences.h"
@@ -33,12 +34,6 @@ public:
         return false;
     }
 };
-
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 struct Hand {
     MainWindow& window;

@@ -16,6 +16,7 @@
 
 #include "core/accel/leap_volume.h"
 #include "core/accuracy/image_error.h"
+#include "core/base/order_statistics.h"
 #include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/compute/device.h"
@@ -145,11 +146,6 @@ void table(const std::string& input) {
         "count, {:.0f} by {}; {} holes\n",
         volume.name, large, found.rows.size(), row->voxels, 100 * v / (voxels - double(background)), layer,
         layer * layer * layer / (v * v), row->shape_factor, found.surface_method, row->holes);
-}
-
-double median(std::vector<double> v) {
-    std::nth_element(v.begin(), v.begin() + std::ptrdiff_t(v.size() / 2), v.end());
-    return v[v.size() / 2];
 }
 
 struct Row {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/accuracy/image_error.h"
+#include "core/base/order_statistics.h"
 #include "core/base/stopwatch.h"
 #include "core/compute/device.h"
 #include "core/render/opencl_renderer.h"
@@ -106,11 +107,6 @@ Bench integrations(const std::string& name, Scene scene, bool narrow) {
         bench.methods.push_back({fmt::format("{}, step {}", name_of(integration), step), plan});
     }
     return bench;
-}
-
-double median(std::vector<double> v) {
-    std::nth_element(v.begin(), v.begin() + std::ptrdiff_t(v.size() / 2), v.end());
-    return v[v.size() / 2];
 }
 
 void run(const Bench& bench, OpenClRenderer& renderer, int views, int rounds) {

@@ -1,5 +1,5 @@
-// bench_regions [SIZE ...]: seconds and peak memory of find_regions on a casting with noise and on pure noise (the
-// worst case: nearly every voxel is a region of its own). Linux only: the peak comes from /proc.
+// bench_regions [SIZE ...]: seconds and peak memory of find_regions and measure_surfaces on a casting with noise and on
+// pure noise (the worst case: nearly every voxel is a region of its own). Linux only: the peak comes from /proc.
 
 #include <algorithm>
 #include <cstdio>
@@ -45,20 +45,24 @@ void measure(const char* name, const Volume& volume, const RegionOptions& option
     const double before = status_bytes("VmRSS:");
     const Stopwatch clock;
     const std::clock_t cpu_before = std::clock();
-    double half_ms = 0;  // when the labels stood and the measuring began
+    double half_ms = 0, surfaces_ms = 0;  // when the labels stood and the measuring began
     const JobContext job{{}, [&](double f) { half_ms = f <= 0.5 ? clock.ms() : half_ms; }};
     std::size_t regions = 0, flagged = 0;
     std::string outcome;
     try {
-        const RegionTable table = find_regions(volume, options, job);
+        RegionTable table = find_regions(volume, options, job);
         regions = table.rows.size();
+        const double found_ms = clock.ms();
+        measure_surfaces(volume, table);
+        surfaces_ms = clock.ms() - found_ms;
         for (const RegionCharacteristics& row : table.rows) flagged += !row.flags.empty();
     } catch (const Error& error) {
         outcome = error.what();
     }
     const double cpu_s = double(std::clock() - cpu_before) / CLOCKS_PER_SEC;
-    std::printf("%-34s %4d %7.2f %7.2f %7.2f %7.2f %9zu %9zu  %s\n", name, volume.geometry().size.x, clock.ms() / 1000,
-                cpu_s, half_ms / 1000, (status_bytes("VmHWM:") - before) / voxels, regions, flagged, outcome.c_str());
+    std::printf("%-34s %4d %7.2f %7.2f %7.2f %7.2f %7.2f %9zu %9zu  %s\n", name, volume.geometry().size.x,
+                clock.ms() / 1000, cpu_s, half_ms / 1000, surfaces_ms / 1000,
+                (status_bytes("VmHWM:") - before) / voxels, regions, flagged, outcome.c_str());
     std::fflush(stdout);
 }
 
@@ -84,8 +88,8 @@ int main(int argc, char** argv) {
     std::vector<int> sizes;
     for (int i = 1; i < argc; ++i) sizes.push_back(std::atoi(argv[i]));
     if (sizes.empty()) sizes.push_back(256);
-    std::printf("%d threads\n%-34s %4s %7s %7s %7s %7s %9s %9s\n", lacuna::thread_count(), "volume, options", "size",
-                "s", "cpu s", "label s", "B/voxel", "regions", "flagged");
+    std::printf("%d threads\n%-34s %4s %7s %7s %7s %7s %7s %9s %9s\n", lacuna::thread_count(), "volume, options",
+                "size", "s", "cpu s", "label s", "surf. s", "B/voxel", "regions", "flagged");
     for (const int size : sizes) {
         SampleOptions sample;
         sample.size = size;

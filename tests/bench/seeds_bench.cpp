@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/accuracy/image_error.h"
+#include "core/base/order_statistics.h"
 #include "core/compute/device.h"
 #include "core/render/engine.h"
 #include "core/volume/samples.h"
@@ -19,11 +20,6 @@
 
 namespace lacuna {
 namespace {
-
-double median(std::vector<double> v) {
-    std::nth_element(v.begin(), v.begin() + std::ptrdiff_t(v.size() / 2), v.end());
-    return v[v.size() / 2];
-}
 
 double processor_ms() { return 1e3 * double(std::clock()) / CLOCKS_PER_SEC; }
 

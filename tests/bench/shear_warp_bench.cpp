@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/order_statistics.h"
 #include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/compute/device.h"
@@ -21,11 +22,6 @@
 
 namespace lacuna {
 namespace {
-
-double median(std::vector<double> v) {
-    std::nth_element(v.begin(), v.begin() + std::ptrdiff_t(v.size() / 2), v.end());
-    return v[v.size() / 2];
-}
 
 /// The middle slices of a cube along z, as the paper's volumes are flatter than cubes.
 Volume flattened(const Volume& cube, int slices) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/accuracy/image_error.h"
+#include "core/base/order_statistics.h"
 #include "core/compute/device.h"
 #include "core/render/opencl_renderer.h"
 #include "core/volume/samples.h"
@@ -46,11 +47,6 @@ std::vector<BenchScene> make_scenes(int size) {
         }
     }
     return scenes;
-}
-
-double median(std::vector<double> v) {
-    std::nth_element(v.begin(), v.begin() + std::ptrdiff_t(v.size() / 2), v.end());
-    return v[v.size() / 2];
 }
 
 struct Row {

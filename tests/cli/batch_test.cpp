@@ -17,12 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using Batch = ProgramTest;
 
-std::string bytes_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
-
 /// A block of 24^3 voxels with a few pores whose number and place follow from the part's number.
 void write_part(const fs::path& stem, unsigned number) {
     constexpr int k_side = 24;

@@ -17,13 +17,6 @@ using Bench = ProgramTest;
 
 const std::string k_source = LACUNA_SOURCE_DIR;
 
-std::string read(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
 void write(const std::string& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
 
 TEST_F(Bench, TableJsonAndChart) {
@@ -31,8 +24,8 @@ TEST_F(Bench, TableJsonAndChart) {
                                     "--modes", "iso,ea", "--json", path("b.json"), "--chart", path("b.svg")});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
-    const json result = json::parse(read(path("b.json")));
-    const JsonSchema schema(json::parse(read(k_source + "/docs/schemas/bench.schema.json")));
+    const json result = json::parse(bytes_of(path("b.json")));
+    const JsonSchema schema(json::parse(bytes_of(k_source + "/docs/schemas/bench.schema.json")));
     for (const std::string& fault : schema.faults(result)) ADD_FAILURE() << fault;
     ASSERT_EQ(result["scenes"].size(), 2u);
     for (const json& scene : result["scenes"]) {
@@ -44,7 +37,7 @@ TEST_F(Bench, TableJsonAndChart) {
         }
         EXPECT_GE(front, 1);
     }
-    EXPECT_TRUE(read(path("b.svg")).starts_with("<svg"));
+    EXPECT_TRUE(bytes_of(path("b.svg")).starts_with("<svg"));
 }
 
 TEST_F(Bench, APlanDrawnAgainFromItsJsonGivesTheSameBytes) {
@@ -59,13 +52,13 @@ TEST_F(Bench, APlanDrawnAgainFromItsJsonGivesTheSameBytes) {
         words.insert(words.end(), way.begin(), way.end());
         words.insert(words.end(), {"-o", path("a.png"), "--stats", path("s.json")});
         ASSERT_EQ(lacuna(words).status, 0) << way[1];
-        write(path("plan.json"), json::parse(read(path("s.json")))["plan"].dump());
+        write(path("plan.json"), json::parse(bytes_of(path("s.json")))["plan"].dump());
         words = scene;
         words.insert(words.end(), {"-o", path("b.png"), "--plan", path("plan.json"), "--stats", path("t.json")});
         const Outcome again = lacuna(words);
         ASSERT_EQ(again.status, 0) << again.err;
-        EXPECT_EQ(read(path("a.png")), read(path("b.png"))) << way[1];
-        EXPECT_EQ(json::parse(read(path("t.json")))["plan"], json::parse(read(path("s.json")))["plan"]);
+        EXPECT_EQ(bytes_of(path("a.png")), bytes_of(path("b.png"))) << way[1];
+        EXPECT_EQ(json::parse(bytes_of(path("t.json")))["plan"], json::parse(bytes_of(path("s.json")))["plan"]);
     }
     const Outcome inline_plan = lacuna({"render", "sample:head@24", "--size", "20x20", "-o", path("c.png"), "--plan",
                                         R"({"mode":"mip","structure":"none","step":1})"});
@@ -107,12 +100,12 @@ TEST_F(Bench, PlansThatDoNotFitAreRefused) {
 }
 
 TEST_F(Bench, ShippedScenesKeepToTheSchemaAndAreUnderstood) {
-    const JsonSchema schema(json::parse(read(k_source + "/docs/schemas/scenes.schema.json")));
+    const JsonSchema schema(json::parse(bytes_of(k_source + "/docs/schemas/scenes.schema.json")));
     int found = 0;
     for (const auto& entry : std::filesystem::directory_iterator(k_source + "/resources/scenes")) {
         if (entry.path().string().ends_with(".tf.json")) continue;
         ++found;
-        const json scenes = json::parse(read(entry.path().string()));
+        const json scenes = json::parse(bytes_of(entry.path().string()));
         for (const std::string& fault : schema.faults(scenes)) ADD_FAILURE() << entry.path() << ": " << fault;
         const Outcome outcome = lacuna({"bench", entry.path().string(), "--list", "--data", "some where"});
         ASSERT_EQ(outcome.status, 0) << outcome.err;
@@ -123,7 +116,7 @@ TEST_F(Bench, ShippedScenesKeepToTheSchemaAndAreUnderstood) {
         }
     }
     EXPECT_GE(found, 2);
-    const json samples = json::parse(read(k_source + "/resources/scenes/samples.json"));
+    const json samples = json::parse(bytes_of(k_source + "/resources/scenes/samples.json"));
     for (const char* name : {"casting", "head", "vessels", "spheres", "marschner-lobb"})
         EXPECT_NE(samples.dump().find(std::string("sample:") + name), std::string::npos) << name;
 }
@@ -136,11 +129,11 @@ TEST_F(Bench, SceneFilesOfOnesOwn) {
                                     "--scene", "one", "--chart", path("b.png"), "--quiet"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.out, "");
-    const json result = json::parse(read(path("b.json")));
+    const json result = json::parse(bytes_of(path("b.json")));
     ASSERT_EQ(result["scenes"].size(), 1u);
     EXPECT_EQ(result["scenes"][0]["name"], "one");
     EXPECT_NE(result["scenes"][0]["command"].get<std::string>().find("--cut=0,1,0,0:open"), std::string::npos);
-    EXPECT_TRUE(read(path("b.png")).starts_with("\x89PNG"));
+    EXPECT_TRUE(bytes_of(path("b.png")).starts_with("\x89PNG"));
 }
 
 TEST_F(Bench, WrongWordsAndFilesAreNamed) {
@@ -185,9 +178,9 @@ TEST_F(Bench, VerifyingAgainstOtherTruths) {
     const Outcome map =
         with({"--verify-map", path("m.png"), "--step", "2", "--verify-against", "fine", "--stats", path("s.json")});
     ASSERT_EQ(map.status, 0) << map.err;
-    EXPECT_TRUE(read(path("m.png")).starts_with("\x89PNG"));
+    EXPECT_TRUE(bytes_of(path("m.png")).starts_with("\x89PNG"));
     EXPECT_NE(map.out.find("silhouette pixels missed"), std::string::npos) << map.out;
-    const json error = json::parse(read(path("s.json")))["error"];
+    const json error = json::parse(bytes_of(path("s.json")))["error"];
     EXPECT_NE(error["reference"].get<std::string>().find("step 0.125"), std::string::npos);
     EXPECT_TRUE(error["surface"].contains("max_voxels"));
     const Outcome closed = with({"--verify-against", "closed-form", "--iso", "110"});

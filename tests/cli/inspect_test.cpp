@@ -16,12 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 using Inspect = ProgramTest;
 
-std::string bytes_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
-
 void write_text(const std::string& file, const std::string& text) { std::ofstream(file) << text; }
 
 std::vector<std::string> names_in(const fs::path& folder) {
@@ -136,13 +130,16 @@ bool runs(const std::string& command, std::string& said) {
     return pipe && ::pclose(pipe) == 0;
 }
 
-class DicomReport : public ProgramTest, public ::testing::WithParamInterface<const char*> {};
+class DicomReport : public ProgramTest, public ::testing::WithParamInterface<const char*> {
+protected:
+    /// Inspects a series and holds each DICOM file of the report against dciodvfy and pydicom.
+    void expect_sound_report(const std::string& input);
+};
 
-TEST_P(DicomReport, PassesDciodvfyAndOpensInPydicom) {
-    LACUNA_NEEDS_DATA(series, GetParam());
+void DicomReport::expect_sound_report(const std::string& input) {
     write_text(path("c.json"), k_strict);
     const Outcome outcome =
-        lacuna({"inspect", series.string(), "--criteria", path("c.json"), "--report", path("r"), "--worst", "0"});
+        lacuna({"inspect", input, "--criteria", path("c.json"), "--report", path("r"), "--worst", "0"});
     ASSERT_EQ(outcome.status, 3) << outcome.err;
     std::string said;
     const bool validator = runs("command -v dciodvfy", said),
@@ -158,7 +155,8 @@ TEST_P(DicomReport, PassesDciodvfyAndOpensInPydicom) {
         }
         if (pydicom) {
             EXPECT_TRUE(runs("/usr/bin/python3 -c \"import pydicom; d = pydicom.dcmread('" + file +
-                                 "'); print(d.SOPClassUID, d.StudyInstanceUID)\"",
+                                 "'); print(d.SOPClassUID, d.StudyInstanceUID); " +
+                                 (std::string(name) == "sr.dcm" ? "d.ContentSequence[0]" : "d.PixelData[0]") + "\"",
                              said))
                 << said;
         }
@@ -166,9 +164,29 @@ TEST_P(DicomReport, PassesDciodvfyAndOpensInPydicom) {
     if (!validator || !pydicom) GTEST_SKIP() << "skipped in part: dciodvfy or pydicom is not installed";
 }
 
+TEST_P(DicomReport, PassesDciodvfyAndOpensInPydicom) {
+    LACUNA_NEEDS_DATA(series, GetParam());
+    expect_sound_report(series.string());
+}
+
 INSTANTIATE_TEST_SUITE_P(Series, DicomReport,
-                         testing::Values("dicom_zoo/diconde_style_derived", "dicom_zoo/ct/CT_small.dcm"),
-                         [](const auto& row) { return row.index == 0 ? "Diconde" : "OneSlice"; });
+                         testing::Values("dicom_zoo/diconde_style_derived", "dicom_zoo/ct/CT_small.dcm",
+                                         "medical/ct_head_vhf"),
+                         [](const auto& row) {
+                             constexpr const char* k_names[] = {"Diconde", "OneSlice", "HeadCt"};
+                             return k_names[row.index];
+                         });
+
+using DicomReportOfSample = DicomReport;
+
+TEST_P(DicomReportOfSample, PassesDciodvfyAndOpensInPydicom) {
+    const Outcome written = lacuna({"convert", std::string("sample:") + GetParam() + "@64", path("series/")});
+    ASSERT_EQ(written.status, 0) << written.err;
+    expect_sound_report(path("series"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Written, DicomReportOfSample, testing::Values("head", "casting"),
+                         [](const auto& row) { return std::string(row.param); });
 
 }  // namespace
 

@@ -18,13 +18,6 @@ namespace {
 using nlohmann::json;
 using Memory = ProgramTest;
 
-std::string read(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
 /// Peak resident bytes of a run, as the system counted them.
 std::int64_t peak_bytes(const std::vector<std::string>& words, int& status) {
     std::vector<char*> argv{const_cast<char*>(LACUNA_PROGRAM)};
@@ -54,8 +47,8 @@ TEST_F(Memory, AVolumeBeyondTheLimitIsDrawnInBricksAndTheSame) {
         ASSERT_EQ(lacuna(whole).status, 0);
         const Outcome outcome = lacuna(parts);
         ASSERT_EQ(outcome.status, 0) << outcome.err;
-        EXPECT_EQ(read(path("parts.png")), read(path("whole.png"))) << mode;
-        const json stats = json::parse(read(path("s.json")));
+        EXPECT_EQ(bytes_of(path("parts.png")), bytes_of(path("whole.png"))) << mode;
+        const json stats = json::parse(bytes_of(path("s.json")));
         if (stats["device"] == "reference renderer (no OpenCL device)") GTEST_SKIP() << "no OpenCL device";
         EXPECT_GT(stats["plan"]["brick"], 0);
         EXPECT_NE(stats["plan"]["why"].dump().find("streamed from disk"), std::string::npos);
@@ -103,7 +96,7 @@ TEST_F(Memory, BricksCanBeAskedFor) {
     ASSERT_EQ(lacuna({"render", "sample:vessels@48", "-o", path("a.png"), "--size", "64x64"}).status, 0);
     ASSERT_EQ(lacuna({"render", "sample:vessels@48", "-o", path("b.png"), "--size", "64x64", "--brick", "16"}).status,
               0);
-    EXPECT_EQ(read(path("a.png")), read(path("b.png")));
+    EXPECT_EQ(bytes_of(path("a.png")), bytes_of(path("b.png")));
     expect_failure(lacuna({"render", "sample:vessels@48", "-o", path("b.png"), "--brick", "4"}), 2, "--brick");
 }
 

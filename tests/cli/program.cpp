@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
+#include <sstream>
 #include <thread>
 
 namespace lacuna::test {
@@ -124,6 +126,12 @@ void expect_no_room(const Outcome& outcome) {
         outcome.err.size() < 2 ? std::string::npos : outcome.err.rfind('\n', outcome.err.size() - 2);
     const std::string line = outcome.err.substr(last == std::string::npos ? 0 : last + 1);
     EXPECT_TRUE(line.starts_with("lacuna: Cannot write ")) << outcome.err;
+}
+
+std::string bytes_of(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
 }
 
 }  // namespace lacuna::test

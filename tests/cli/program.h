@@ -31,6 +31,9 @@ struct Surroundings {
 /// Starts `lacuna` with these words and waits for its end.
 Outcome lacuna(const std::vector<std::string>& words, const Surroundings& surroundings = {});
 
+/// A file's bytes; empty where there is none.
+std::string bytes_of(const std::filesystem::path& file);
+
 /// No OpenCL: its compiler ends the whole process where a file of its cache finds no room, before ours can say so.
 /// @param folder  any without descriptions of OpenCL platforms
 Surroundings without_opencl(const std::filesystem::path& folder);

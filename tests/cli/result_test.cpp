@@ -1,7 +1,10 @@
 // What the commands put out: the contract's keys, and numbers that agree with each other.
 
 #include <cmath>
+#include <cstdio>
+#include <cstring>
 #include <fstream>
+#include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -13,13 +16,6 @@ namespace {
 
 using nlohmann::json;
 using Result = ProgramTest;
-
-std::string read(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::stringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
 
 void expect_keys(const json& object, const std::vector<std::string>& keys) {
     for (const std::string& key : keys) EXPECT_TRUE(object.contains(key)) << key;
@@ -48,9 +44,9 @@ TEST_F(Result, ResultsDoNotDependOnTheLocale) {
     const std::vector<std::string> words{"regions", "sample:spheres@32", "--threshold", "otsu,max",
                                          "--csv",   path("r.csv")};
     const Outcome plain = lacuna(words);
-    const std::string table = read(path("r.csv"));
+    const std::string table = bytes_of(path("r.csv"));
     EXPECT_EQ(lacuna(words, german).out, plain.out);
-    EXPECT_EQ(read(path("r.csv")), table);
+    EXPECT_EQ(bytes_of(path("r.csv")), table);
     EXPECT_EQ(lacuna({"render", "sample:head@16", "-o", path("a.png"), "--step", "0.5"}, german).status, 0);
 }
 
@@ -60,7 +56,7 @@ TEST_F(Result, StatisticsHaveTheContractsKeys) {
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("verified: max error "), std::string::npos) << outcome.out;
     EXPECT_EQ(outcome.err, "") << "no progress where standard error is no terminal";
-    const json stats = json::parse(read(path("s.json")));
+    const json stats = json::parse(bytes_of(path("s.json")));
     expect_keys(stats, {"device", "input", "view", "plan", "build", "frames", "ms", "error"});
     expect_keys(stats["input"], {"dims", "spacing", "type"});
     expect_keys(stats["plan"], {"mode", "structure", "step", "sampler", "ert", "sparse", "why"});
@@ -113,7 +109,7 @@ TEST_F(Result, StatisticsWithoutVerifyHaveNoError) {
     ASSERT_EQ(
         lacuna({"render", "sample:head@24", "-o", path("a.png"), "--size", "16x16", "--stats", path("s.json")}).status,
         0);
-    EXPECT_TRUE(json::parse(read(path("s.json")))["error"].is_null());
+    EXPECT_TRUE(json::parse(bytes_of(path("s.json")))["error"].is_null());
 }
 
 TEST_F(Result, EveryMethodSaysWhatItIs) {
@@ -131,7 +127,7 @@ TEST_F(Result, EveryMethodSaysWhatItIs) {
         words.insert(words.end(), w.words.begin(), w.words.end());
         const Outcome outcome = lacuna(words);
         ASSERT_EQ(outcome.status, 0) << outcome.err;
-        const json stats = json::parse(read(path("s.json")));
+        const json stats = json::parse(bytes_of(path("s.json")));
         EXPECT_EQ(stats["plan"][w.key], w.value);
         if (w.built) {
             EXPECT_GT(stats["build"][w.built]["bytes"], 0) << w.built;
@@ -146,14 +142,14 @@ TEST_F(Result, SmoothingIsSaidAndSeen) {
                                        "40x40",  "--stats",           path("s.json")};
         words.insert(words.end(), more.begin(), more.end());
         EXPECT_EQ(lacuna(words).status, 0);
-        return read(path("a.png"));
+        return bytes_of(path("a.png"));
     };
     const std::string plain = picture({});
     EXPECT_NE(picture({"--smooth", "1.5"}), plain);
-    EXPECT_NE(read(path("s.json")).find("Gaussian of 1.5 mm"), std::string::npos);
+    EXPECT_NE(bytes_of(path("s.json")).find("Gaussian of 1.5 mm"), std::string::npos);
     ASSERT_EQ(lacuna({"convert", "sample:casting@32", path("soft.nrrd"), "--smooth", "1.5"}).status, 0);
     ASSERT_EQ(lacuna({"convert", "sample:casting@32", path("hard.nrrd")}).status, 0);
-    EXPECT_NE(read(path("soft.nrrd")), read(path("hard.nrrd")));
+    EXPECT_NE(bytes_of(path("soft.nrrd")), bytes_of(path("hard.nrrd")));
     EXPECT_EQ(lacuna({"info", path("soft.nrrd")}).status, 0);
 }
 
@@ -164,7 +160,7 @@ TEST_F(Result, EveryModeMakesAPictureOfItsOwn) {
         const Outcome outcome = lacuna({"render", "sample:casting@32", "-o", target, "--size", "64x64", "--mode", mode,
                                         "--azimuth", "30", "--elevation", "20"});
         ASSERT_EQ(outcome.status, 0) << mode << ": " << outcome.err;
-        const std::string bytes = read(target);
+        const std::string bytes = bytes_of(target);
         EXPECT_TRUE(bytes.starts_with("\x89PNG")) << mode;
         for (const std::string& other : pictures) EXPECT_NE(bytes, other) << mode;
         pictures.push_back(bytes);
@@ -177,10 +173,10 @@ TEST_F(Result, TurntableWritesNumberedFramesAllRound) {
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(files(),
               (std::vector<std::string>{"s.json", "turn-000.png", "turn-001.png", "turn-002.png", "turn-003.png"}));
-    const json frames = json::parse(read(path("s.json")))["frames"];
+    const json frames = json::parse(bytes_of(path("s.json")))["frames"];
     ASSERT_EQ(frames.size(), 4u);
     for (int i = 0; i < 4; ++i) EXPECT_EQ(frames[std::size_t(i)]["azimuth"], 10 + 90 * i);
-    EXPECT_NE(read(path("turn-000.png")), read(path("turn-001.png")));
+    EXPECT_NE(bytes_of(path("turn-000.png")), bytes_of(path("turn-001.png")));
 }
 
 TEST_F(Result, QuietPrintsNothing) {
@@ -189,25 +185,85 @@ TEST_F(Result, QuietPrintsNothing) {
     EXPECT_EQ(outcome.out + outcome.err, "");
 }
 
+/// What a binary STL encloses, by the divergence theorem; its length must fit its own count.
+double enclosed_by_stl(const std::string& bytes) {
+    std::uint32_t count = 0;
+    EXPECT_GT(bytes.size(), 84u);
+    std::memcpy(&count, bytes.data() + 80, 4);
+    EXPECT_EQ(bytes.size(), 84u + 50u * count);
+    double six = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        float t[12];
+        std::memcpy(t, bytes.data() + 84 + 50 * std::size_t(i), sizeof t);
+        const glm::dvec3 a(t[3], t[4], t[5]), b(t[6], t[7], t[8]), c(t[9], t[10], t[11]);
+        six += glm::dot(a, glm::cross(b, c));
+    }
+    return six / 6;
+}
+
+TEST_F(Result, MeshesEncloseTheirRegionsVolume) {
+    for (const bool exact : {false, true}) {
+        std::vector<std::string> words{"regions", "sample:casting@64", "--threshold", "min,otsu",   "--inner",
+                                       "--json",  path("r.json"),      "--mesh",      path("mesh"), "--min-voxels",
+                                       "150"};
+        if (exact) words.push_back("--exact-surfaces");
+        ASSERT_EQ(lacuna(words).status, 0);
+        const json table = json::parse(bytes_of(path("r.json")));
+        ASSERT_GT(table["regions"].size(), 1u);
+        for (const json& row : table["regions"]) {
+            char name[40];
+            std::snprintf(name, sizeof name, "mesh/region-%05d.stl", row["id"].get<int>());
+            const double voxels = row["volume_mm3"].get<double>();
+            EXPECT_NEAR(enclosed_by_stl(bytes_of(path(name))) / voxels, 1, exact ? 0.06 : 0.01)
+                << "values move the surface within the voxels at it";
+        }
+    }
+}
+
 TEST_F(Result, RegionsTableFilesAgree) {
     const Outcome outcome =
         lacuna({"regions", "sample:spheres@48", "--threshold", "otsu,max", "--json", path("r.json"), "--csv",
                 path("r.csv"), "--labels", path("l.nrrd"), "--mesh", path("mesh"), "--min-voxels", "20"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
-    const json table = json::parse(read(path("r.json")));
+    const json table = json::parse(bytes_of(path("r.json")));
     const json& rows = table.is_array() ? table : table["regions"];
     ASSERT_GT(rows.size(), 1u);
-    expect_keys(rows[0], {"id", "voxels", "volume_mm3", "fraction", "surface_mm2", "shape_factor", "sphericity",
-                          "holes", "tunnels", "mean", "min", "max", "stddev", "centroid_mm", "bbox_mm",
-                          "equivalent_diameter_mm", "principal_lengths_mm", "touches_border"});
+    expect_keys(rows[0], {"id",
+                          "voxels",
+                          "volume_mm3",
+                          "fraction",
+                          "surface_mm2",
+                          "shape_factor",
+                          "sphericity",
+                          "holes",
+                          "tunnels",
+                          "mean",
+                          "min",
+                          "max",
+                          "stddev",
+                          "centroid_mm",
+                          "bbox_mm",
+                          "equivalent_diameter_mm",
+                          "principal_lengths_mm",
+                          "touches_border",
+                          "surface_crofton_mm2",
+                          "surface_mesh_mm2",
+                          "diameter_mm",
+                          "projected_area_mm2",
+                          "integral_volume_mm3",
+                          "surface_distance_mm",
+                          "gap_mm"});
     double fractions = 0;
     for (const json& row : rows) {
         fractions += row["fraction"].get<double>();
         EXPECT_GE(row["voxels"], 20);
         EXPECT_GE(row["shape_factor"].get<double>(), 36 * M_PI * (1 - 1e-9));
+        EXPECT_GE(row["diameter_mm"].get<double>(), row["equivalent_diameter_mm"].get<double>());
+        EXPECT_GT(row["gap_mm"].get<double>(), 0);
+        EXPECT_NEAR(row["integral_volume_mm3"].get<double>() / row["volume_mm3"].get<double>(), 1, 0.2);
     }
     EXPECT_NEAR(fractions, 1, 1e-6);
-    std::stringstream csv(read(path("r.csv")));
+    std::stringstream csv(bytes_of(path("r.csv")));
     std::size_t lines = 0;
     for (std::string line; std::getline(csv, line);) ++lines;
     EXPECT_EQ(lines, rows.size() + 1);
@@ -221,7 +277,7 @@ TEST_F(Result, InnerLeavesOutWhatTouchesTheBorder) {
                                          "--json",  path("r.json")};
     ASSERT_EQ(lacuna(words).status, 0);
     const auto touching = [&] {
-        const json table = json::parse(read(path("r.json")));
+        const json table = json::parse(bytes_of(path("r.json")));
         int count = 0;
         for (const json& row : table.is_array() ? table : table["regions"]) count += row["touches_border"].get<bool>();
         return count;

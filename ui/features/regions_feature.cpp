@@ -104,8 +104,11 @@ void RegionsFeature::exportTable() {
     if (file.isEmpty()) return;
     write_.start(
         tr("Writing the region table"),
-        [table = documents->document().regions, file](const JobContext&) {
-            write_file(file.toStdString(), regions_to_csv(*table));
+        [volume = documents->document().volume, table = documents->document().regions, file](const JobContext& job) {
+            // The panel shows what the voxels tell; the file also holds what surfaces and distances do.
+            RegionTable measured = *table;
+            measure_surfaces(volume, measured, job);
+            write_file(file.toStdString(), regions_to_csv(measured));
             return file;
         },
         [this](Outcome<QString> outcome) {

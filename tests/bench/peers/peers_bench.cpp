@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/accuracy/image_error.h"
+#include "core/base/order_statistics.h"
 #include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/compute/device.h"
@@ -33,11 +34,6 @@ struct Options {
     std::string json;
     bool wants(const std::string& what) const { return std::find(only.begin(), only.end(), what) != only.end(); }
 };
-
-double median(std::vector<double> v) {
-    std::nth_element(v.begin(), v.begin() + std::ptrdiff_t(v.size() / 2), v.end());
-    return v[v.size() / 2];
-}
 
 /// Ratios of one kind and their geometric mean.
 struct Ratios {

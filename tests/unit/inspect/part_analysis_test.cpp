@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "core/base/parallel.h"
@@ -86,25 +88,46 @@ double blurred_ball(double r, double radius, double sigma) {
                 std::exp(-(radius + near) * (radius + near) / (w * w)));
 }
 
-TEST(PartAnalysis, BlurredBallsReadTooSmallAtOneThresholdAndTheIntervalSaysSo) {
-    // A ball of radius 2 under a blur of 0.7 voxels: inside its surface at 40, 50, 60 % of the contrast, counted from
-    // the material, lie 0.89, 0.65 and 0.45 of its volume.
-    constexpr double k_sigma = 0.7, k_radius = 2;
-    const glm::dvec3 centre(20.3, 19.6, 20.1);
+/// A block of 29 voxels a side in air with one ball of air in it, truly convolved.
+Volume part_with_blurred_ball(const glm::dvec3& centre, double radius, double sigma) {
     GridGeometry g;
     g.size = glm::ivec3(40);
-    const Volume volume = make_volume<float>(g, [&](std::span<float> v) {
+    return make_volume<float>(g, [&](std::span<float> v) {
         std::size_t i = 0;
         for (int z = 0; z < 40; ++z)
             for (int y = 0; y < 40; ++y)
                 for (int x = 0; x < 40; ++x) {
                     const glm::dvec3 p(x, y, z), out = glm::abs(p - 19.5) - 14.5;
                     double share = 1;
-                    for (int a = 0; a < 3; ++a) share *= 0.5 * std::erfc(out[a] / (std::sqrt(2.0) * k_sigma));
-                    share -= blurred_ball(glm::length(p - centre), k_radius, k_sigma);
+                    for (int a = 0; a < 3; ++a) share *= 0.5 * std::erfc(out[a] / (std::sqrt(2.0) * sigma));
+                    share -= blurred_ball(glm::length(p - centre), radius, sigma);
                     v[i++] = float(k_air + (k_material - k_air) * share);
                 }
     });
+}
+
+TEST(PartAnalysis, BallsSmallAgainstTheBlurReadLargeOrSmallByWhatTheBlurIs) {
+    // At 1.2 a ball of less than three voxels across is no deeper than 30 % of the contrast, and no find.
+    for (const auto& [sigma, sizes] : {std::pair<double, std::array<double, 3>>{0.7, {2.4, 3.0, 3.6}},
+                                       std::pair<double, std::array<double, 3>>{1.2, {3.4, 4.2, 5.0}}})
+        for (const double across : sizes) {
+            const PartAnalysis a = analyse_part(part_with_blurred_ball({20.3, 19.6, 20.1}, across / 2, sigma), {});
+            const double truth = k_pi / 6 * across * across * across;
+            ASSERT_EQ(a.defects.size(), 1u) << sigma << " " << across;
+            const Measured& volume = a.defects[0].volume_mm3;
+            std::printf("sigma %.1f, %.1f across: %.3f [%.3f, %.3f] of the truth\n", sigma, across,
+                        volume.value / truth, volume.lo / truth, volume.hi / truth);
+            EXPECT_GT(volume.value / truth, 0.6) << sigma << " " << across;
+            EXPECT_LT(volume.value / truth, 1.6) << sigma << " " << across;
+            EXPECT_TRUE(holds(volume, truth)) << volume.lo << " " << volume.hi;
+            EXPECT_NEAR(a.defects[0].integral_volume_mm3 / truth, 1, 0.05) << "a convolution keeps all of it";
+        }
+}
+
+TEST(PartAnalysis, BlurredBallsReadTooSmallAtOneThresholdAndTheIntervalSaysSo) {
+    // A ball of radius 2 under a blur of 0.7 voxels: inside its surface at 40, 50, 60 % of the contrast, counted from
+    // the material, lie 0.89, 0.65 and 0.45 of its volume.
+    const Volume volume = part_with_blurred_ball({20.3, 19.6, 20.1}, 2, 0.7);
     const double truth = 4.0 / 3 * k_pi * 8;
     const double reads[] = {0.89, 0.65, 0.45};
     for (int i = 0; i < 3; ++i) {

@@ -49,6 +49,11 @@ TEST_P(RegionMesh, IsClosedOutwardAndHoldsTheVolume) {
         ASSERT_TRUE(glm::all(glm::greaterThanEqual(v, row.bbox_min_mm - 1e-9)));
         ASSERT_TRUE(glm::all(glm::lessThanEqual(v, row.bbox_max_mm + 1e-9)));
     }
+    if (row.voxels < 100) return;
+    TriangleMesh fitted = mesh;
+    offset_to_volume(fitted, row.volume_mm3, 0.5 * volume.geometry().smallest_spacing_mm());
+    EXPECT_TRUE(is_closed(fitted));
+    EXPECT_NEAR(enclosed_volume_mm3(fitted), row.volume_mm3, 0.01 * row.volume_mm3);
 }
 const glm::dvec3 k_middle(15);
 INSTANTIATE_TEST_SUITE_P(Regions, RegionMesh,

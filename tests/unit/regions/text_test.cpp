@@ -132,6 +132,44 @@ TEST(RegionsText, QuotesAFlagWithACommaInIt) {
     EXPECT_EQ(rows[0][19], "flags");
 }
 
+const std::vector<std::string> k_surface_keys = {
+    "surface_crofton_mm2", "surface_mesh_mm2",    "diameter_mm", "projected_area_mm2",
+    "integral_volume_mm3", "surface_distance_mm", "gap_mm"};
+
+TEST(RegionsText, WhatSurfacesSayStandsBehindTheRest) {
+    RegionTable table = sample_table();
+    const auto before = parse_csv(regions_to_csv(table));
+    const std::size_t columns = before[0].size();
+    const auto column = [&](const std::string& key) {
+        return std::size_t(std::find(before[0].begin(), before[0].end(), key) - before[0].begin());
+    };
+    for (const std::string& key : k_surface_keys) {
+        ASSERT_LT(column(key), columns) << key;
+        EXPECT_GT(column(key), column("principal_lengths_mm_3"));
+        if (key != "surface_crofton_mm2") {
+            EXPECT_EQ(before[1][column(key)], "") << key << " is not measured yet";
+        }
+    }
+    const Volume volume = volume_of<std::int16_t>(grid({12, 10, 8}, {0.7, 0.7, 1.25}), [](int x, int y, int z) {
+        return x < 5 ? -1000 : x == 8 && y == 4 && z == 4 ? 900 : 40;
+    });
+    measure_surfaces(volume, table);
+    const auto after = parse_csv(regions_to_csv(table));
+    for (std::size_t r = 1; r < after.size(); ++r) {
+        ASSERT_EQ(after[r].size(), columns);
+        const RegionCharacteristics& row = table.rows[r - 1];
+        EXPECT_EQ(std::stod(after[r][column("surface_mesh_mm2")]), row.surface_mesh_mm2);
+        EXPECT_EQ(std::stod(after[r][column("diameter_mm")]), row.diameter_mm);
+        EXPECT_EQ(std::stod(after[r][column("projected_area_mm2_z")]), row.projected_area_mm2.z);
+        EXPECT_EQ(std::stod(after[r][column("gap_mm")]), row.gap_mm);
+    }
+    const auto json = nlohmann::ordered_json::parse(regions_to_json(table));
+    EXPECT_NE(json.at("surface_method").get<std::string>().find("Crofton"), std::string::npos);
+    EXPECT_NE(json.at("surface_mesh_method").get<std::string>().find("marching cubes"), std::string::npos);
+    for (const std::string& key : k_surface_keys) EXPECT_TRUE(json.at("regions")[0].contains(key)) << key;
+    EXPECT_EQ(json.at("regions")[0].at("projected_area_mm2").size(), 3u);
+}
+
 TEST(RegionsText, NumbersThatAreNoneBecomeNullAndEmpty) {
     RegionTable table = sample_table();
     table.rows[0].mean = std::nan("");

@@ -4,10 +4,12 @@
 #include <vector>
 
 #include "core/base/job.h"
+#include "core/regions/label_volume.h"
+#include "core/regions/point_tree.h"
 #include "core/regions/run_components.h"
 
 /// A volume parted into a part and what is round it, at one threshold, by runs of rows alone.
-namespace lacuna::inspect {
+namespace lacuna::outline {
 
 enum class Space : std::uint8_t {
     outside,  ///< air round the part: reaches an edge of the frame
@@ -44,8 +46,22 @@ struct PartRuns {
 };
 PartRuns find_part(const VoidScan& scan, Connectivity connectivity, const JobContext& job);
 
+/// The part as voxels.
+struct PartMask {
+    MaskVolume mask;               ///< 1 in the part, its voids included
+    glm::ivec3 first{0}, last{0};  ///< the part's box, both included; last < first where there is no part
+};
+PartMask mask_of(const PartRuns& part, const GridGeometry& geometry);
+
+/// Points of the part's outer surface, for nearest-neighbour queries: between each voxel of the part and its neighbour
+/// outside, where the values pass the threshold, half way where they do not; where the frame cuts the part, the faces
+/// of the voxels there. At most a sixteenth of the volume's voxels (100 000 at least): beyond that every n-th stands
+/// for its neighbours.
+std::vector<PointTree::Point> outer_surface(const Volume& volume, const MaskVolume& part, double threshold,
+                                            const JobContext& job);
+
 /// Euler's number of closed and cut voids of at least `min_voxels`, rows taken as bits: per lattice row, the runs of
 /// the union of its neighbours (closed cells, 18 and 26) or of their intersection (6), with alternating signs.
 std::int64_t euler_of_voids(const VoidScan& scan, Connectivity connectivity, std::int64_t min_voxels);
 
-}  // namespace lacuna::inspect
+}  // namespace lacuna::outline

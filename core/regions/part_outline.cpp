@@ -1,12 +1,14 @@
-#include "core/inspect/void_scan.h"
+#include "core/regions/part_outline.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
+#include <limits>
 
 #include "core/base/parallel.h"
 
-namespace lacuna::inspect {
+namespace lacuna::outline {
 
 namespace {
 
@@ -108,6 +110,89 @@ PartRuns find_part(const VoidScan& scan, Connectivity connectivity, const JobCon
     return part;
 }
 
+PartMask mask_of(const PartRuns& part, const GridGeometry& geometry) {
+    auto bytes = std::make_shared<std::vector<std::uint8_t>>(std::size_t(geometry.voxel_count()), std::uint8_t(0));
+    PartMask made{{geometry, bytes}, glm::ivec3(std::numeric_limits<int>::max()), glm::ivec3(-1)};
+    for (int z = 0; z < geometry.size.z; ++z)
+        runs::for_runs(part.list, z, [&](int y, int at_z, const Run& run, std::size_t k) {
+            if (!part.kept(k)) return;
+            std::uint8_t* row = bytes->data() + geometry.linear_index(0, y, at_z);
+            std::fill(row + run.first, row + run.last + 1, std::uint8_t(1));
+            made.first = glm::min(made.first, glm::ivec3(run.first, y, at_z));
+            made.last = glm::max(made.last, glm::ivec3(run.last, y, at_z));
+        });
+    return made;
+}
+
+namespace {
+
+/// The outer surface's points in slices [begin, end).
+template <class T>
+void surface_points(const Volume& volume, const MaskVolume& part, double threshold, int begin, int end,
+                    std::vector<PointTree::Point>& points) {
+    const GridGeometry& g = volume.geometry();
+    const VolumeView<T> view = volume.view<T>();
+    const std::uint8_t* mask = part.labels->data();
+    const std::int64_t step[3] = {1, g.size.x, std::int64_t(g.size.x) * g.size.y};
+    const auto add = [&](const glm::ivec3& p, int axis, double offset) {
+        glm::dvec3 at(p);
+        at[axis] += offset;
+        points.push_back({glm::vec3(g.voxel_to_mm(at)), 0});
+    };
+    for (int z = begin; z < end; ++z)
+        for (int y = 0; y < g.size.y; ++y)
+            for (int x = 0; x < g.size.x; ++x) {
+                const std::int64_t i = g.linear_index(x, y, z);
+                if (!mask[i]) continue;
+                const glm::ivec3 p(x, y, z);
+                for (int axis = 0; axis < 3; ++axis)
+                    for (const int side : {-1, 1}) {
+                        if (g.size[axis] == 1) continue;
+                        const int next = p[axis] + side;
+                        if (next < 0 || next >= g.size[axis]) {
+                            add(p, axis, 0.5 * side);
+                            continue;
+                        }
+                        const std::int64_t k = i + side * step[axis];
+                        if (mask[k]) continue;
+                        const double a = double(view.data[i]), b = double(view.data[k]);
+                        const double share = a >= threshold && b < threshold ? (a - threshold) / (a - b) : 0.5;
+                        add(p, axis, side * (std::isfinite(share) ? share : 0.5));
+                    }
+            }
+}
+
+}  // namespace
+
+std::vector<PointTree::Point> outer_surface(const Volume& volume, const MaskVolume& part, double threshold,
+                                            const JobContext& job) {
+    const int depth = volume.geometry().size.z, bands = std::min(depth, 64);
+    std::vector<std::vector<PointTree::Point>> pieces(static_cast<std::size_t>(bands));
+    parallel_for(
+        0, bands,
+        [&](std::int64_t b) {
+            const int begin = int(depth * b / bands), end = int(depth * (b + 1) / bands);
+            visit_type(volume.type(), [&](auto tag) {
+                surface_points<decltype(tag)>(volume, part, threshold, begin, end, pieces[std::size_t(b)]);
+            });
+        },
+        job);
+    std::size_t count = 0;
+    for (const auto& piece : pieces) count += piece.size();
+    // An open foam has surface everywhere; a share of it keeps the tree within a byte or two a voxel.
+    const auto most = std::size_t(std::max<std::int64_t>(volume.geometry().voxel_count() / 16, 100'000));
+    const std::size_t stride = (count + most - 1) / most;
+    std::vector<PointTree::Point> all;
+    all.reserve(count / std::max<std::size_t>(1, stride) + 1);
+    std::size_t i = 0;
+    for (auto& piece : pieces) {
+        for (const PointTree::Point& point : piece)
+            if (stride <= 1 || i++ % stride == 0) all.push_back(point);
+        std::vector<PointTree::Point>().swap(piece);
+    }
+    return all;
+}
+
 namespace {
 
 using BitRow = std::vector<std::uint64_t>;
@@ -186,4 +271,4 @@ std::int64_t euler_of_voids(const VoidScan& scan, Connectivity connectivity, std
     return total;
 }
 
-}  // namespace lacuna::inspect
+}  // namespace lacuna::outline
