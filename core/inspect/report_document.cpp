@@ -135,19 +135,21 @@ Chart size_histogram(const PartAnalysis& analysis) {
     return chart;
 }
 
-Chart stability_chart(const InspectionReport& report, bool porosity) {
+/// One of the curve's quantities against the threshold.
+/// @param title  names it; `axis` with `unit` stands at the axis
+Chart stability_chart(const InspectionReport& report, const char* title, const char* axis, const char* unit,
+                      const std::vector<double>& values) {
     const StabilityCurve& curve = report.analysis.stability;
     Chart chart;
-    chart.title = porosity ? "Porosity against threshold" : "Defect count against threshold";
+    chart.title = title;
     chart.x.title = "threshold";
     chart.x.unit = report.scan.unit;
-    chart.y.title = porosity ? "porosity" : "defects";
-    chart.y.unit = porosity ? "%" : "";
+    chart.y.title = axis;
+    chart.y.unit = unit;
     chart.legend = Legend::none;
     Series series;
     series.line = true;
     series.size = 3;
-    const std::vector<double>& values = porosity ? curve.porosity_percent : curve.count;
     for (std::size_t i = 0; i < std::min(curve.threshold.size(), values.size()); ++i)
         series.points.push_back({curve.threshold[i], values[i]});
     chart.series.push_back(std::move(series));
@@ -163,8 +165,12 @@ void add_pictures(const InspectionReport& report, ReportDocument& document) {
     ChartRow charts;
     if (!report.analysis.defects.empty()) charts.charts.push_back(size_histogram(report.analysis));
     if (!report.analysis.stability.threshold.empty()) {
-        charts.charts.push_back(stability_chart(report, true));
-        charts.charts.push_back(stability_chart(report, false));
+        const StabilityCurve& curve = report.analysis.stability;
+        charts.charts.push_back(
+            stability_chart(report, "Porosity against threshold", "porosity", "%", curve.porosity_percent));
+        charts.charts.push_back(stability_chart(report, "Defect count against threshold", "defects", "", curve.count));
+        charts.charts.push_back(
+            stability_chart(report, "Euler number against threshold", "Euler number of the voids", "", curve.euler));
     }
     if (!charts.charts.empty()) {
         document.blocks.push_back(Heading{"Sizes and stability"});

@@ -63,12 +63,14 @@ Sphere smallest_of_few(std::vector<glm::dvec3>& points, double scale) {
 
 Sphere smallest_enclosing_sphere(std::span<const glm::dvec3> points) {
     if (points.empty()) return {};
-    Sphere sphere{points.front(), 0};
-    std::vector<glm::dvec3> supports{points.front()};
+    const glm::dvec3 base = points.front();  // a small body far from the origin keeps its digits
+    Sphere sphere{glm::dvec3(0), 0};
+    std::vector<glm::dvec3> supports{glm::dvec3(0)};
     for (int pass = 0; pass < 1000; ++pass) {
         double farthest = -1;
         glm::dvec3 out(0);
-        for (const glm::dvec3& p : points) {
+        for (const glm::dvec3& point : points) {
+            const glm::dvec3 p = point - base;
             const double d = glm::dot(p - sphere.centre, p - sphere.centre);
             if (d > farthest) farthest = d, out = p;
         }
@@ -76,12 +78,13 @@ Sphere smallest_enclosing_sphere(std::span<const glm::dvec3> points) {
         if (!(farthest > sphere.radius * (1 + k_slack))) break;
         supports.push_back(out);
         const Sphere next = smallest_of_few(supports, farthest);
-        if (!(next.radius > sphere.radius)) {  // rounding only: no progress left
+        if (!(next.radius > sphere.radius) || !std::isfinite(next.radius)) {  // rounding only: no progress left
             sphere.radius = farthest;
             break;
         }
         sphere = next;
     }
+    sphere.centre += base;
     return sphere;
 }
 

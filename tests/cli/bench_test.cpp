@@ -74,7 +74,7 @@ TEST_F(Bench, ATurnKeepsItsBudgetAndItsPlanIsDrawnAgain) {
     const Outcome planned =
         with({"--mode", "iso", "--error-budget", "4", "--verify", "-o", path("a.png"), "--stats", path("s.json")});
     ASSERT_EQ(planned.status, 0) << planned.err;
-    const json stats = json::parse(read(path("s.json")));
+    const json stats = json::parse(bytes_of(path("s.json")));
     EXPECT_LE(stats["error"]["max"], 4 + 1) << "of the worst picture; the reference is in double precision";
     EXPECT_NE(stats["plan"]["why"][1].get<std::string>().find("Holds in all 3 views by rule"), std::string::npos)
         << stats["plan"]["why"][1];
@@ -82,7 +82,7 @@ TEST_F(Bench, ATurnKeepsItsBudgetAndItsPlanIsDrawnAgain) {
     const Outcome again = with({"--plan", path("plan.json"), "-o", path("b.png")});
     ASSERT_EQ(again.status, 0) << again.err;
     for (const char* number : {"-000.png", "-001.png", "-002.png"})
-        EXPECT_EQ(read(path(std::string("a") + number)), read(path(std::string("b") + number))) << number;
+        EXPECT_EQ(bytes_of(path(std::string("a") + number)), bytes_of(path(std::string("b") + number))) << number;
 }
 
 TEST_F(Bench, PlansThatDoNotFitAreRefused) {

@@ -49,6 +49,20 @@ TEST(BoundingSphere, NoPointLiesOutsideAndNoSmallerOneIsFoundByDescent) {
     }
 }
 
+TEST(BoundingSphere, OfATinyBodyFarAwayKeepsItsDigits) {
+    // As an isosurface that only just passes a voxel leaves it: six points a thousandth of a voxel round its centre.
+    const glm::dvec3 centre(279, -179, 1546);
+    std::vector<glm::dvec3> points;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1e-3, 1e-3}) {
+            points.push_back(centre);
+            points.back()[axis] += side;
+        }
+    const Sphere sphere = smallest_enclosing_sphere(points);
+    EXPECT_NEAR(sphere.radius, 1e-3, 1e-9);
+    EXPECT_NEAR(glm::length(sphere.centre - centre), 0, 1e-9);
+}
+
 TEST(PointTree, FindsWhatBruteForceFinds) {
     Noise noise(5);
     std::vector<PointTree::Point> points;
