@@ -13,6 +13,7 @@
 #include "core/accuracy/limits.h"
 #include "core/accuracy/shortlist.h"
 #include "core/accuracy/sparse_outlook.h"
+#include "core/base/order_statistics.h"
 #include "core/base/stopwatch.h"
 
 namespace lacuna {
@@ -43,11 +44,6 @@ struct View {
     Scene scene;
     TruePicture truth;
 };
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 class Planner {
 public:

@@ -73,9 +73,10 @@ void set_thresholds(Work& w, const JobContext& job) {
         sweep_thresholds(w.volume, w.levels, w.filled, o.connectivity, std::max<std::int64_t>(o.min_voxels, 1), job);
     const ValueRange plateau = w.sweep.curve.plateau;
     if (!w.void_is_given()) {
-        // Local surfaces lie half way; detection starts from there. Otsu's threshold moves onto the plateau.
+        // Local surfaces lie half way; detection starts from there, Otsu's from its threshold. Where that is not on the
+        // plateau it moves onto it: a little more or less must not change what is found.
         if (o.method == ThresholdMethod::local) t = (w.levels.air + w.levels.material) / 2;
-        if (o.method == ThresholdMethod::otsu && plateau.lo <= plateau.hi) t = std::clamp(t, plateau.lo, plateau.hi);
+        if (plateau.lo <= plateau.hi) t = std::clamp(t, plateau.lo, plateau.hi);
         w.filled = outline::fills_frame(w.volume, t);
     }
     if (plateau.lo > plateau.hi)

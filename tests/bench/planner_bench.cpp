@@ -14,6 +14,7 @@
 #include "core/accuracy/error_bound.h"
 #include "core/accuracy/planner.h"
 #include "core/accuracy/sweep.h"
+#include "core/base/order_statistics.h"
 #include "core/base/stopwatch.h"
 #include "core/compute/device.h"
 #include "core/volume/samples.h"
@@ -26,11 +27,6 @@ namespace {
 constexpr int k_rounds = 9;
 constexpr std::size_t k_rivals = 3;
 constexpr double k_promised_ratio = 1.3, k_promised_over = 0.01, k_most_over = 2;
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 /// Times of all plans, in turn.
 std::vector<double> times(Engine& engine, const Scene& scene, const std::vector<Plan>& plans) {

@@ -169,13 +169,14 @@ TEST_P(DicomReport, PassesDciodvfyAndOpensInPydicom) {
     expect_sound_report(series.string());
 }
 
+std::string series_name(const testing::TestParamInfo<const char*>& row) {
+    constexpr const char* k_names[] = {"Diconde", "OneSlice", "HeadCt"};
+    return k_names[row.index];
+}
 INSTANTIATE_TEST_SUITE_P(Series, DicomReport,
                          testing::Values("dicom_zoo/diconde_style_derived", "dicom_zoo/ct/CT_small.dcm",
                                          "medical/ct_head_vhf"),
-                         [](const auto& row) {
-                             constexpr const char* k_names[] = {"Diconde", "OneSlice", "HeadCt"};
-                             return k_names[row.index];
-                         });
+                         series_name);
 
 using DicomReportOfSample = DicomReport;
 

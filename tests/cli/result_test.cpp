@@ -220,6 +220,17 @@ TEST_F(Result, MeshesEncloseTheirRegionsVolume) {
     }
 }
 
+TEST_F(Result, SurfacesAreLeftOutWhereNotWanted) {
+    ASSERT_EQ(
+        lacuna({"regions", "sample:spheres@32", "--threshold", "otsu,max", "--no-surfaces", "--json", path("r.json")})
+            .status,
+        0);
+    const json row = json::parse(bytes_of(path("r.json")))["regions"][0];
+    for (const char* key : {"surface_mesh_mm2", "diameter_mm", "integral_volume_mm3", "surface_distance_mm", "gap_mm"})
+        EXPECT_TRUE(row.at(key).is_null()) << key;
+    EXPECT_GT(row["surface_crofton_mm2"].get<double>(), 0);
+}
+
 TEST_F(Result, RegionsTableFilesAgree) {
     const Outcome outcome =
         lacuna({"regions", "sample:spheres@48", "--threshold", "otsu,max", "--json", path("r.json"), "--csv",

@@ -98,6 +98,9 @@ TEST(KnownParts, OneStrutHoldsARealVoid) {
         const PartAnalysis a = analyse_part(volume, {});
         print(name, volume, a);
         EXPECT_TRUE(a.part.cut_by_frame);
+        if (a.stability.plateau.lo <= a.stability.plateau.hi) {
+            EXPECT_TRUE(a.stability.plateau.contains(a.part.material_threshold));
+        }
         double largest = 0;
         for (const Defect& d : a.defects)
             if (!d.touches_border) largest = std::max(largest, double(d.voxels));
