@@ -82,7 +82,7 @@ TEST_F(Result, AFilesTechniqueHoldsWhereNoFlagSaysOtherwise) {
         words.insert(words.end(), more.begin(), more.end());
         const Outcome outcome = lacuna(words);
         EXPECT_EQ(outcome.status, 0) << outcome.err;
-        return json::parse(read(path("s.json")))["plan"];
+        return json::parse(bytes_of(path("s.json")))["plan"];
     };
     const std::string technique = R"(,"technique":{"mode":"mip","shading":"none","step":0.25})";
     json plan = plan_with(technique, {});
@@ -94,9 +94,9 @@ TEST_F(Result, AFilesTechniqueHoldsWhereNoFlagSaysOtherwise) {
     plan = plan_with(technique, {"--mode", "iso"});
     EXPECT_EQ(plan["mode"], "iso");
     EXPECT_EQ(plan["step"], 0.25);
-    const std::string unshaded = read(path("a.png"));
+    const std::string unshaded = bytes_of(path("a.png"));
     plan_with(technique, {"--mode", "iso", "--shading", "phong"});
-    EXPECT_NE(read(path("a.png")), unshaded);
+    EXPECT_NE(bytes_of(path("a.png")), unshaded);
     plan = plan_with("", {});
     EXPECT_EQ(plan["mode"], "ea") << "the contract's defaults where the file states nothing";
     EXPECT_EQ(plan["step"], 0.5);
