@@ -203,7 +203,7 @@ double enclosed_by_stl(const std::string& bytes) {
 
 TEST_F(Result, MeshesEncloseTheirRegionsVolume) {
     for (const bool exact : {false, true}) {
-        std::vector<std::string> words{"regions", "sample:casting@64", "--threshold", "min,otsu",   "--inner",
+        std::vector<std::string> words{"regions", "sample:casting@96", "--threshold", "min,otsu",   "--inner",
                                        "--json",  path("r.json"),      "--mesh",      path("mesh"), "--min-voxels",
                                        "150"};
         if (exact) words.push_back("--exact-surfaces");
