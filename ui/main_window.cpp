@@ -81,7 +81,7 @@ void MainWindow::buildDocks() {
     tabs_->addTab(cuts_panel_, tr("Cuts"));
     tabs_->addTab(slices_panel_, tr("Grey levels"));
     tabs_->addTab(effects_panel_, tr("Effects"));
-    side_->setMinimumWidth(320);
+    side_->setMinimumWidth(340);
     bench_->needDocument(side_);
     scene_dock_ = bench_->addDock(QStringLiteral("scene"), tr("Scene"), side_, Qt::RightDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);

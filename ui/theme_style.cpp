@@ -129,10 +129,35 @@ void ThemeStyle::drawComplexControl(ComplexControl control, const QStyleOptionCo
     }
 }
 
+void ThemeStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
+                             const QWidget* widget) const {
+    const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option);
+    if (element != CE_ComboBoxLabel || !box || box->editable)
+        return QProxyStyle::drawControl(element, option, painter, widget);
+    QStyleOptionComboBox fitted(*box);
+    const int room = subControlRect(CC_ComboBox, box, SC_ComboBoxEditField, widget).width() - 4 -
+                     (box->currentIcon.isNull() ? 0 : box->iconSize.width() + 4);
+    fitted.currentText = box->fontMetrics.elidedText(box->currentText, Qt::ElideRight, room);
+    QProxyStyle::drawControl(element, &fitted, painter, widget);
+}
+
+QSize ThemeStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                                   const QWidget* widget) const {
+    QSize size = QProxyStyle::sizeFromContents(type, option, contents, widget);
+    // The arrow of a menu stands beside the words, not on them.
+    constexpr int k_arrow = 14;
+    if (const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
+        type == CT_ToolButton && button && (button->features & QStyleOptionToolButton::HasMenu) &&
+        button->toolButtonStyle != Qt::ToolButtonIconOnly)
+        size.rwidth() += k_arrow;
+    return size;
+}
+
 int ThemeStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {
     if (metric == PM_IndicatorWidth || metric == PM_IndicatorHeight || metric == PM_ExclusiveIndicatorWidth ||
         metric == PM_ExclusiveIndicatorHeight)
         return std::max(16, QProxyStyle::pixelMetric(metric, option, widget));
+    if (metric == PM_TabBarTabHSpace) return 14;  // German words, five in a row
     return QProxyStyle::pixelMetric(metric, option, widget);
 }
 

@@ -9,7 +9,7 @@
 #include "ui/features/import_feature.h"
 #include "ui/language.h"
 #include "ui/preferences.h"
-#include "ui/theme.h"
+#include "ui/theme_control.h"
 
 namespace lacuna::ui::test {
 namespace {
@@ -20,8 +20,9 @@ protected:
         if (qEnvironmentVariableIsEmpty("LACUNA_SHOTS")) GTEST_SKIP() << "LACUNA_SHOTS names no folder";
         preferences::set_language(qEnvironmentVariable("LACUNA_SHOTS_LANGUAGE", QStringLiteral("en")));
         Language::instance()->apply();
-        apply_theme(
-            *qApp, qEnvironmentVariable("LACUNA_SHOTS_THEME") == QLatin1String("light") ? Scheme::light : Scheme::dark);
+        ThemeControl::instance()->choose(qEnvironmentVariable("LACUNA_SHOTS_THEME") == QLatin1String("light")
+                                             ? ThemeChoice::light
+                                             : ThemeChoice::dark);
         WindowTest::SetUp();
         window->resize(1480, 940);
     }
@@ -29,7 +30,7 @@ protected:
         window.reset();
         preferences::set_language(QStringLiteral("en"));
         Language::instance()->apply();
-        apply_theme(*qApp, Scheme::dark);
+        ThemeControl::instance()->choose(ThemeChoice::system);
     }
     void shot(QWidget* widget, const QString& name) {
         QApplication::processEvents();

@@ -14,7 +14,8 @@ using Menu = Workbench::Menu;
 
 namespace {
 constexpr QSize k_first_size{1480, 940};
-}
+constexpr int k_scene_width = 380;
+}  // namespace
 
 LayoutFeature::LayoutFeature(Workbench& bench) : QObject(&bench), bench_(bench), arrangements_(new QActionGroup(this)) {
     addArrangements();
@@ -34,8 +35,11 @@ LayoutFeature::LayoutFeature(Workbench& bench) : QObject(&bench), bench_(bench),
     window->setMinimumSize(0, 0);
     window->layout()->invalidate();
     window->layout()->activate();
-    if (!window->restoreGeometry(preferences::window_geometry()))
+    if (!window->restoreGeometry(preferences::window_geometry())) {
         window->resize(k_first_size.boundedTo(window->screen()->availableSize()));
+        if (auto* scene = window->findChild<QDockWidget*>(QStringLiteral("scene")))
+            window->resizeDocks({scene}, {k_scene_width}, Qt::Horizontal);
+    }
     bench.window()->installEventFilter(this);
 }
 

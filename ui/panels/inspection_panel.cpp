@@ -5,10 +5,12 @@
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QScrollArea>
+#include <QStyle>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/tab_chain.h"
+#include "ui/widgets/table_header.h"
 
 namespace lacuna::ui {
 
@@ -85,8 +87,7 @@ void InspectionPanel::build() {
     view_->setAlternatingRowColors(true);
     view_->setTabKeyNavigation(false);
     view_->verticalHeader()->hide();
-    view_->verticalHeader()->setDefaultSectionSize(22);
-    view_->horizontalHeader()->setDefaultSectionSize(100);
+    fit_headers(view_);
     view_->horizontalHeader()->setStretchLastSection(true);
     auto* scroll = new QScrollArea(this);
     scroll->setWidget(form_);
@@ -94,7 +95,9 @@ void InspectionPanel::build() {
     scroll->setAccessibleName(tr("Criteria"));
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(310);
+    // As wide as its words in this language: what is cut off at the side could not be scrolled to.
+    scroll->setMinimumWidth(
+        std::max(310, form_->minimumSizeHint().width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent) + 4));
     auto* left = new QGridLayout;
     left->addWidget(scroll, 0, 0, 1, 2);
     left->addWidget(load_, 1, 0);

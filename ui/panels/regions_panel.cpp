@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/tab_chain.h"
+#include "ui/widgets/table_header.h"
 #include "ui/widgets/value_slider.h"
 
 namespace lacuna::ui {
@@ -98,8 +99,7 @@ void RegionsPanel::build() {
     view_->setAlternatingRowColors(true);
     view_->setTabKeyNavigation(false);
     view_->verticalHeader()->hide();
-    view_->verticalHeader()->setDefaultSectionSize(22);
-    view_->horizontalHeader()->setDefaultSectionSize(100);
+    fit_headers(view_);
     chain_tabs({method_, lo_, hi_, width_, take_, connectivity_, min_voxels_, compute_, clear_, export_, view_});
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(6, 6, 6, 6);
