@@ -79,7 +79,7 @@ PacsDialog::PacsDialog(TaskList* tasks, QWidget* parent)
     retrieve_->setToolTip(
         tr("Copies the chosen series, or the whole study, into a folder and opens it (C-GET, or C-MOVE where the "
            "server is set to)"));
-    send_ = buttons->addButton(tr("&Send files…"), QDialogButtonBox::ActionRole);
+    send_ = buttons->addButton(tr("Send &files…"), QDialogButtonBox::ActionRole);
     send_->setToolTip(tr("Sends DICOM files, such as segmentations, reports and captures, to the server (C-STORE)"));
     for (QPushButton* button : {retrieve_, send_}) button->setAutoDefault(false);
     column->addWidget(buttons);
@@ -104,7 +104,7 @@ QWidget* PacsDialog::makeServerRow() {
     row->addWidget(server_, 1);
     auto* add = new QPushButton(tr("&Add…"), box);
     edit_ = new QPushButton(tr("&Edit…"), box);
-    remove_ = new QPushButton(tr("Remo&ve"), box);
+    remove_ = new QPushButton(tr("Re&move"), box);
     test_ = new QPushButton(tr("&Test"), box);
     test_->setToolTip(tr("Asks the server whether it is there (C-ECHO)"));
     for (QPushButton* button : {add, edit_, remove_, test_}) {

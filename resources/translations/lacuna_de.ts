@@ -1651,7 +1651,7 @@
         <translation>Höchstens so viele Teile zugleich; weniger, wo der Speicher endet</translation>
     </message>
     <message>
-        <source>Parts at &amp;once</source>
+        <source>Parts at o&amp;nce</source>
         <translation>Teile &amp;zugleich</translation>
     </message>
     <message>
@@ -3769,11 +3769,11 @@
     </message>
     <message>
         <source>&amp;Retrieve and open…</source>
-        <translation>&amp;Holen und öffnen…</translation>
+        <translation>H&amp;olen und öffnen…</translation>
     </message>
     <message>
-        <source>&amp;Send files…</source>
-        <translation>Dateien &amp;senden…</translation>
+        <source>Send &amp;files…</source>
+        <translation>Date&amp;ien senden…</translation>
     </message>
     <message>
         <source>Sends DICOM files, such as segmentations, reports and captures, to the server (C-STORE)</source>
@@ -3796,7 +3796,7 @@
         <translation>&amp;Bearbeiten…</translation>
     </message>
     <message>
-        <source>Remo&amp;ve</source>
+        <source>Re&amp;move</source>
         <translation>&amp;Entfernen</translation>
     </message>
     <message>
@@ -5517,7 +5517,7 @@
     </message>
     <message>
         <source>&amp;Open from</source>
-        <translation>Öffnen &amp;aus</translation>
+        <translation>Öffnen a&amp;us</translation>
     </message>
     <message>
         <source>Folder to open from</source>

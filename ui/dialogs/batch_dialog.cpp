@@ -78,7 +78,7 @@ void BatchDialog::build() {
     jobs_->setRange(1, std::max(1, thread_count()));
     jobs_->setAccessibleName(tr("Parts at once"));
     jobs_->setToolTip(tr("At most so many parts at once; fewer where the memory ends"));
-    form->addRow(tr("Parts at &once"), jobs_);
+    form->addRow(tr("Parts at o&nce"), jobs_);
     form->addRow(QString(), resume_);
     table_->setModel(model_);
     table_->setAccessibleName(tr("Parts of the series"));

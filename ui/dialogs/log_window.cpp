@@ -19,6 +19,7 @@ LogWindow::LogWindow(QWidget* parent) : QDialog(parent), level_(new QComboBox(th
     level_->setCurrentIndex(1);
     level_->setAccessibleName(tr("Least level shown"));
     lines_->setReadOnly(true);
+    lines_->setTabChangesFocus(true);
     lines_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     lines_->setAccessibleName(tr("Log"));
     lines_->setMaximumBlockCount(int(LogStore::k_lines_kept));

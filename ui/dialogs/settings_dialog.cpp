@@ -120,9 +120,16 @@ QWidget* SettingsDialog::folderPage() {
     save_folder_->setText(preferences::save_folder());
     hide_patient_->setAccessibleName(tr("Hide names, identifiers and dates of patients"));
     hide_patient_->setChecked(preferences::hide_patient());
-    form->addRow(tr("&Open from"), folderRow(open_folder_, tr("Folder to open from")));
-    form->addRow(tr("&Write to"), folderRow(save_folder_, tr("Folder to write to")));
+    const auto add = [&](const QString& label, QLineEdit* edit, const QString& title) {
+        QWidget* row = folderRow(edit, title);
+        form->addRow(label, row);
+        static_cast<QLabel*>(form->labelForField(row))->setBuddy(edit);
+        return row->findChild<QPushButton*>();
+    };
+    add(tr("&Open from"), open_folder_, tr("Folder to open from"));
+    QPushButton* last = add(tr("&Write to"), save_folder_, tr("Folder to write to"));
     form->addRow(hide_patient_);
+    setTabOrder(last, hide_patient_);
     return page;
 }
 
@@ -141,7 +148,7 @@ QWidget* SettingsDialog::folderRow(QLineEdit* edit, const QString& title) {
     });
     layout->addWidget(edit, 1);
     layout->addWidget(choose);
-    row->setFocusProxy(edit);
+    setTabOrder(edit, choose);
     return row;
 }
 

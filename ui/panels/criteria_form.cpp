@@ -14,6 +14,9 @@ OptionalValue::OptionalValue(const QString& label, const QString& accessible_nam
     spin_->setAccessibleName(tr("%1, value").arg(accessible_name));
     spin_->setEnabled(false);
     spin_->setKeyboardTracking(false);
+    // Room for what is entered, not for the largest number there is: what is cut off at the form's side is out of
+    // reach.
+    spin_->setMinimumWidth(spin_->fontMetrics().horizontalAdvance(QStringLiteral("0000.000 mm³")) + 24);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(box_, 1);

@@ -5,7 +5,6 @@
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QScrollArea>
-#include <QStyle>
 #include <algorithm>
 #include <cmath>
 
@@ -95,9 +94,7 @@ void InspectionPanel::build() {
     scroll->setAccessibleName(tr("Criteria"));
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    // As wide as its words in this language: what is cut off at the side could not be scrolled to.
-    scroll->setMinimumWidth(
-        std::max(310, form_->minimumSizeHint().width() + style()->pixelMetric(QStyle::PM_ScrollBarExtent) + 4));
+    scroll->setMinimumWidth(310);
     auto* left = new QGridLayout;
     left->addWidget(scroll, 0, 0, 1, 2);
     left->addWidget(load_, 1, 0);
