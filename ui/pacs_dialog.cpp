@@ -65,8 +65,8 @@ PacsDialog::PacsDialog(TaskList* tasks, QWidget* parent)
     results_->setHeaderLabels({tr("Patient / series"), tr("Date"), tr("Kind"), tr("Description"), tr("Images")});
     results_->setAccessibleName(tr("Studies found"));
     results_->setAlternatingRowColors(true);
-    for (const int column : {0, 1, 2, 4})
-        results_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    for (const int section : {0, 1, 2, 4})
+        results_->header()->setSectionResizeMode(section, QHeaderView::ResizeToContents);
     results_->header()->setStretchLastSection(false);
     results_->header()->setSectionResizeMode(3, QHeaderView::Stretch);
     results_->headerItem()->setTextAlignment(4, Qt::AlignRight);

@@ -39,6 +39,8 @@ std::mutex& handing_over() {
 
 /// What the connections of one receiver share.
 struct Shared {
+    Shared(const PacsServer& from, PacsReceiving::Callbacks called) : server(from), callbacks(std::move(called)) {}
+
     const PacsServer& server;
     PacsReceiving::Callbacks callbacks;
     std::mutex keeping, naming;
@@ -175,8 +177,7 @@ struct PacsReceiving::State {
     std::list<Connection> connections;  // of the accepting thread alone
     std::thread thread;
 
-    State(const PacsServer& from, Callbacks callbacks)
-        : server(from), shared{.server = server, .callbacks = std::move(callbacks)} {
+    State(const PacsServer& from, Callbacks callbacks) : server(from), shared(server, std::move(callbacks)) {
         // What would make every connection fail is said at once.
         (void)make_transport(server.tls, true, std::make_shared<SocketWatch>());
         socket = listening(server.receiver);

@@ -39,8 +39,8 @@ private:
 
 class WatchedTlsLayer final : public DcmTLSTransportLayer {
 public:
-    WatchedTlsLayer(T_ASC_NetworkRole role, OnSocket on_socket)
-        : DcmTLSTransportLayer(role, nullptr, OFTrue), on_socket_(std::move(on_socket)) {}
+    WatchedTlsLayer(T_ASC_NetworkRole as, OnSocket on_socket)
+        : DcmTLSTransportLayer(as, nullptr, OFTrue), on_socket_(std::move(on_socket)) {}
     DcmTransportConnection* createConnection(DcmNativeSocketType socket, OFBool secure) override {
         on_socket_(socket);
         return DcmTLSTransportLayer::createConnection(socket, secure);

@@ -156,7 +156,7 @@ TEST_F(DicomTest, AnonymisedImagesOpenAsTheSameVolume) {
 
 TEST_F(DicomTest, AServerThatIsNotThereIsNamedAndNothingHangs) {
     PacsDialog dialog(window->findChild<TaskList*>());
-    dialog.setServers({{"gone", "127.0.0.1", 1, "GONE", "LACUNA", 2, {}}});
+    dialog.setServers({{"gone", "127.0.0.1", 1, "GONE", "LACUNA", 2, {}, {}}});
     QSignalSpy finished(&dialog, &PacsDialog::finished);
     dialog.test();
     ASSERT_TRUE(finished.count() > 0 || finished.wait(k_patience_ms));
