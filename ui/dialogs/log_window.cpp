@@ -9,6 +9,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/tab_chain.h"
+
 namespace lacuna::ui {
 
 LogWindow::LogWindow(QWidget* parent) : QDialog(parent), level_(new QComboBox(this)), lines_(new QPlainTextEdit(this)) {
@@ -40,6 +42,7 @@ LogWindow::LogWindow(QWidget* parent) : QDialog(parent), level_(new QComboBox(th
     column->addLayout(top);
     column->addWidget(lines_, 1);
     column->addWidget(buttons);
+    chain_tabs({level_, lines_, copy, clear, buttons->button(QDialogButtonBox::Close)});
     connect(level_, &QComboBox::currentIndexChanged, this, &LogWindow::fill);
     connect(copy, &QPushButton::clicked, this, &LogWindow::copy);
     connect(clear, &QPushButton::clicked, this, [this] {
