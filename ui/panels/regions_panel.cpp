@@ -75,6 +75,7 @@ void RegionsPanel::build() {
     form->setVerticalSpacing(4);
     form->addWidget(method_, 0, 0);
     auto* ends = new QHBoxLayout;
+    ends->setSpacing(5);
     ends->addWidget(lo_, 1);
     ends->addWidget(to_);
     ends->addWidget(hi_, 1);
