@@ -80,6 +80,7 @@ ViewSettings unusual_settings(unsigned seed) {
     s.window = {-3, number(random) + 1000};
     s.projection_window = {1, 2};
     s.slices = {VoiFunction::sigmoid,
+                2,
                 glm::angleAxis(number(random) / 400, glm::normalize(glm::dvec3(1, -2, 0.5))),
                 {7.5, SlabMode::minip},
                 0.125};
