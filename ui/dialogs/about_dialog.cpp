@@ -48,7 +48,6 @@ AboutDialog::AboutDialog(const QList<QPair<QString, QString>>& versions, QWidget
     for (const auto& [name, version] : versions_) {
         auto* value = new QLabel(version, this);
         value->setTextFormat(Qt::PlainText);
-        value->setWordWrap(true);
         value->setTextInteractionFlags(Qt::TextSelectableByMouse);
         value->setAccessibleName(name);
         form->addRow(name, value);
