@@ -1,23 +1,9 @@
 #include "ui/document_controller.h"
 
-#include <QGuiApplication>
-
 namespace lacuna::ui {
 
-namespace {
-constexpr int k_gesture_pause_ms = 700;
-}
-
-DocumentController::DocumentController(QObject* parent) : QObject(parent) {
-    gesture_end_.setSingleShot(true);
-    gesture_end_.setInterval(k_gesture_pause_ms);
-    connect(&gesture_end_, &QTimer::timeout, this, [this] {
-        if (QGuiApplication::mouseButtons() != Qt::NoButton)
-            gesture_end_.start();  // still dragging
-        else
-            history_.seal();
-    });
-}
+DocumentController::DocumentController(QObject* parent)
+    : QObject(parent), gesture_end_([this] { history_.seal(); }, this) {}
 
 void DocumentController::open(const Document& document) {
     document_ = document;

@@ -2,11 +2,11 @@
 
 #include <QObject>
 #include <QString>
-#include <QTimer>
 #include <optional>
 
 #include "core/session/document.h"
 #include "core/session/edit_history.h"
+#include "ui/gesture_end.h"
 
 namespace lacuna::ui {
 
@@ -61,7 +61,7 @@ private:
 
     std::optional<Document> document_;
     EditHistory history_{500};
-    QTimer gesture_end_;
+    GestureEnd gesture_end_;
 };
 
 }  // namespace lacuna::ui

@@ -3,9 +3,9 @@
 #include <glm/glm.hpp>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/render/camera.h"
+#include "core/session/step_history.h"
 
 namespace lacuna {
 
@@ -21,38 +21,34 @@ struct Viewpoint {
 /// to leave the view where its effect is being looked at.
 class ViewHistory {
 public:
-    explicit ViewHistory(std::size_t limit = 100) : limit_(limit) {}
+    explicit ViewHistory(std::size_t limit = 100) : steps_(limit) {}
 
     /// Forgets all steps; `now` is where one is.
-    void reset(const Viewpoint& now);
-    /// Notes a move to `now`. One of the same name joins the last until seal() is called. What was gone back from is
-    /// forgotten. A move to where one is is none.
+    void reset(const Viewpoint& now) {
+        steps_.reset();
+        now_ = now;
+    }
+    /// Notes a move to `now`, as StepHistory::note.
     /// @param name  what moved, as it stands in the menu
-    /// @param joins  it belongs to the last step, whatever that was called; unless that was sealed or came to nothing
-    void note(std::string_view name, const Viewpoint& now, bool joins = false);
+    void note(std::string_view name, const Viewpoint& now, bool joins = false) {
+        if (steps_.note(name, now_, now, joins)) now_ = now;
+    }
     /// Ends the gesture: the next move is a step of its own.
-    void seal() { open_ = false; }
+    void seal() { steps_.seal(); }
 
-    bool can_go_back() const { return at_ > 0; }
-    bool can_go_forward() const { return at_ < steps_.size(); }
+    bool can_go_back() const { return steps_.can_undo(); }
+    bool can_go_forward() const { return steps_.can_redo(); }
     /// What going back or forward would move; empty where there is nothing.
-    std::string back_name() const { return can_go_back() ? steps_[at_ - 1].name : std::string(); }
-    std::string forward_name() const { return can_go_forward() ? steps_[at_].name : std::string(); }
+    std::string back_name() const { return steps_.undo_name(); }
+    std::string forward_name() const { return steps_.redo_name(); }
     /// Where that leads. @pre can_go_back() or can_go_forward()
-    const Viewpoint& back();
-    const Viewpoint& forward();
+    const Viewpoint& back() { return now_ = steps_.undo(); }
+    const Viewpoint& forward() { return now_ = steps_.redo(); }
     const Viewpoint& now() const { return now_; }
 
 private:
-    struct Step {
-        std::string name;
-        Viewpoint before, after;
-    };
-    std::vector<Step> steps_;
-    std::size_t at_ = 0;  ///< steps in effect; the others were gone back from
-    std::size_t limit_;
+    StepHistory<Viewpoint> steps_;
     Viewpoint now_;
-    bool open_ = false;  ///< the last step may still be joined
 };
 
 }  // namespace lacuna

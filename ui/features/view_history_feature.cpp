@@ -1,13 +1,10 @@
 #include "ui/features/view_history_feature.h"
 
-#include <QGuiApplication>
 #include <QMouseEvent>
 
 namespace lacuna::ui {
 
 namespace {
-constexpr int k_gesture_pause_ms = 700;  // as of edits
-
 /// Every command within a menu and the menus in it.
 template <class Visit>
 void for_commands(QMenu* menu, const Visit& visit) {
@@ -15,20 +12,13 @@ void for_commands(QMenu* menu, const Visit& visit) {
 }
 }  // namespace
 
-ViewHistoryFeature::ViewHistoryFeature(Workbench& bench) : QObject(&bench), bench_(bench) {
+ViewHistoryFeature::ViewHistoryFeature(Workbench& bench)
+    : QObject(&bench), bench_(bench), gesture_end_([this] { history_.seal(); }, this) {
     QMenu* view = bench.menu(Workbench::Menu::view);
     back_ = bench.addAlways(view, tr("Prev&ious view"), QKeySequence(QStringLiteral("Alt+Left")), this,
                             &ViewHistoryFeature::back);
     forward_ = bench.addAlways(view, tr("&Next view"), QKeySequence(QStringLiteral("Alt+Right")), this,
                                &ViewHistoryFeature::forward);
-    gesture_end_.setSingleShot(true);
-    gesture_end_.setInterval(k_gesture_pause_ms);
-    connect(&gesture_end_, &QTimer::timeout, this, [this] {
-        if (QGuiApplication::mouseButtons() != Qt::NoButton)
-            gesture_end_.start();  // still dragging
-        else
-            history_.seal();
-    });
     turn_end_.setSingleShot(true);
     turn_end_.setInterval(0);
     connect(&turn_end_, &QTimer::timeout, this, [this] { in_turn_ = Moved::nothing; });

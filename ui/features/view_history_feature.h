@@ -3,6 +3,7 @@
 #include <QTimer>
 
 #include "core/session/view_history.h"
+#include "ui/gesture_end.h"
 #include "ui/workbench.h"
 
 namespace lacuna::ui {
@@ -38,7 +39,8 @@ private:
     Workbench& bench_;
     ViewHistory history_;
     QAction *back_, *forward_;
-    QTimer gesture_end_, turn_end_;
+    GestureEnd gesture_end_;
+    QTimer turn_end_;
     Moved in_turn_ = Moved::nothing;  ///< within this turn of the event loop: what moves in one turn is one step
     Moved last_ = Moved::nothing;
     bool going_ = false;
