@@ -61,7 +61,7 @@ AboutDialog::AboutDialog(const QList<QPair<QString, QString>>& versions, QWidget
     column->addWidget(buttons);
     connect(copy, &QPushButton::clicked, this, [this] { QGuiApplication::clipboard()->setText(text()); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    setMinimumWidth(460);
+    setMinimumSize(460, column->totalHeightForWidth(460));  // wrapped words are taller than they ask for
 }
 
 QString AboutDialog::text() const {

@@ -15,7 +15,7 @@ namespace lacuna::ui {
 ShortcutSheet::ShortcutSheet(const QList<CatalogEntry>& entries, QWidget* parent)
     : QDialog(parent), edit_(new QLineEdit(this)), table_(new QTreeWidget(this)) {
     setWindowTitle(tr("Keys and mouse"));
-    resize(620, 680);
+    resize(840, 680);
     edit_->setPlaceholderText(tr("Search keys and commands"));
     edit_->setAccessibleName(tr("Words to look for"));
     edit_->setClearButtonEnabled(true);
