@@ -40,8 +40,6 @@ BudgetPanel::BudgetPanel(QWidget* parent)
     grid->setVerticalSpacing(2);
     slider_->setRange(0, int(stops().size()) - 1);
     slider_->setPageStep(1);
-    slider_->setTickPosition(QSlider::TicksBelow);
-    slider_->setTickInterval(1);
     slider_->setValue(slider_->maximum());
     slider_->setTracking(false);  // a plan is looked for where the handle is let go
     slider_->setAccessibleName(tr("Budget from fastest to exact"));
