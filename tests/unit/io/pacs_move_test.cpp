@@ -73,6 +73,9 @@ protected:
     }
 
     TemporaryFolder folder;
+    // What the server's thread may still look at when a test's own frame is gone.
+    std::stop_source stop;
+    std::atomic<bool> over{false};
     std::vector<std::filesystem::path> files;  ///< two of the study wanted, one of another
     SmallServer peer;
     PacsServer server, sender;
@@ -170,7 +173,6 @@ TEST_F(PacsMove, KeepsWhatCameOfAServerThatFailsOrFallsSilent) {
     std::filesystem::remove_all(folder / "out");
 
     server.timeout_s = 1;
-    std::atomic<bool> over{false};
     peer.on_move = [&](const std::string&) -> std::optional<Uint16> {
         EXPECT_EQ(send(0, 2).done, 2);
         while (!over) std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -184,8 +186,6 @@ TEST_F(PacsMove, KeepsWhatCameOfAServerThatFailsOrFallsSilent) {
 }
 
 TEST_F(PacsMove, ACancelEndsItAtOnceAndKeepsNothing) {
-    std::stop_source stop;
-    std::atomic<bool> over{false};
     peer.on_move = [&](const std::string&) -> std::optional<Uint16> {
         EXPECT_EQ(send(0, 1).done, 1);
         stop.request_stop();
