@@ -101,19 +101,27 @@ void InspectionPanel::build() {
     left->addWidget(save_, 1, 1);
     left->addWidget(inspect_, 2, 0, 1, 2);
     auto* middle = new QGridLayout;
-    middle->addWidget(verdict_, 0, 0, 1, 2);
-    middle->addWidget(facts_, 1, 0, 1, 2);
-    middle->setRowStretch(2, 1);
-    middle->addWidget(accept_, 3, 0);
-    middle->addWidget(reject_, 3, 1);
-    middle->addWidget(undecide_, 4, 0);
-    middle->addWidget(report_, 4, 1);
-    for (QLabel* label : {verdict_, facts_}) {  // long sentences must not widen or heighten the dock
-        label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
-        label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    }
-    verdict_->setMinimumHeight(3 * fontMetrics().lineSpacing() + 18);
-    facts_->setMinimumHeight(3 * fontMetrics().lineSpacing());
+    auto* result = new QWidget;
+    auto* sentences = new QVBoxLayout(result);
+    sentences->setContentsMargins(0, 0, 0, 0);
+    sentences->addWidget(verdict_);
+    sentences->addWidget(facts_);
+    sentences->addStretch(1);
+    auto* sentences_view =
+        new QScrollArea(this);  // long sentences are scrolled, and neither widen nor heighten the dock
+    sentences_view->setWidget(result);
+    sentences_view->setWidgetResizable(true);
+    sentences_view->setFrameShape(QFrame::NoFrame);
+    sentences_view->setFocusPolicy(Qt::NoFocus);
+    sentences_view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    sentences_view->setMinimumHeight(6 * fontMetrics().lineSpacing());
+    middle->addWidget(sentences_view, 0, 0, 1, 2);
+    middle->setRowStretch(0, 1);
+    middle->addWidget(accept_, 1, 0);
+    middle->addWidget(reject_, 1, 1);
+    middle->addWidget(undecide_, 2, 0);
+    middle->addWidget(report_, 2, 1);
+    for (QLabel* label : {verdict_, facts_}) label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     auto* over = new QHBoxLayout;
     over->addWidget(filter_, 1);
     over->addWidget(coloring_);
