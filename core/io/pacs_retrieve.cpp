@@ -115,6 +115,12 @@ PacsTransfer conclude(PacsConnection& connection, Arrivals& arrivals, const Endi
     return transfer;
 }
 
+/// Progress as a server counts it.
+void report(const JobContext& job, int remaining, int done, int failed) {
+    const int all = remaining + done + failed;
+    if (job.progress && all > 0) job.progress(double(done + failed) / all);
+}
+
 constexpr const char* k_nothing = "The server sent nothing for this; it may have been removed there.";
 
 PacsTransfer get(const PacsServer& server, const Wanted& wanted, Arrivals& arrivals, const JobContext& job) {
@@ -130,10 +136,7 @@ PacsTransfer get(const PacsServer& server, const Wanted& wanted, Arrivals& arriv
     connection.connect();
     const auto context = connection.accepted(sop_class, "retrieving (C-GET by the study root)");
     connection.on_object = [&](DcmDataset& set) { return arrivals.keep(set); };
-    connection.on_progress = [&](int remaining, int done, int failed) {
-        const int all = remaining + done + failed;
-        if (job.progress && all > 0) job.progress(double(done + failed) / all);
-    };
+    connection.on_progress = [&](int remaining, int done, int failed) { report(job, remaining, done, failed); };
     DcmDataset keys = wanted.keys();
     OFList<RetrieveResponse*> responses;
     const OFCondition condition = connection.sendCGETRequest(context, &keys, &responses);
@@ -162,16 +165,14 @@ PacsTransfer move(const PacsServer& server, const Wanted& wanted, Arrivals& arri
     connection.propose(sop_class, dicom::plain_syntaxes());
     connection.connect();
     const auto context = connection.accepted(sop_class, "retrieving (C-MOVE by the study root)");
-    std::unique_ptr<dicom::PacsReceiving> receiving;
-    receiving = std::make_unique<dicom::PacsReceiving>(
+    auto receiving = std::make_unique<dicom::PacsReceiving>(
         server, dicom::PacsReceiving::Callbacks{
                     [&](DcmDataset& set) { return !job.stopped() && wanted.holds(set) && arrivals.keep(set); },
                     [&] { connection.give_up(); }});
     connection.be_patient();  // images come over another connection; silence on both is what counts
     connection.on_progress = [&](int remaining, int done, int failed) {
         receiving->alive();
-        const int all = remaining + done + failed;
-        if (job.progress && all > 0) job.progress(double(done + failed) / all);
+        report(job, remaining, done, failed);
     };
     DcmDataset keys = wanted.keys();
     OFList<RetrieveResponse*> responses;
