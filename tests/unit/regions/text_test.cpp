@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/support/region_columns.h"
 #include "tests/unit/regions/shapes.h"
 
 namespace lacuna::test {
@@ -37,25 +38,6 @@ std::vector<std::vector<std::string>> parse_csv(const std::string& text) {
     rows.pop_back();
     return rows;
 }
-
-const std::vector<std::string> k_contract_keys = {"id",
-                                                  "voxels",
-                                                  "volume_mm3",
-                                                  "fraction",
-                                                  "surface_mm2",
-                                                  "shape_factor",
-                                                  "sphericity",
-                                                  "holes",
-                                                  "tunnels",
-                                                  "mean",
-                                                  "min",
-                                                  "max",
-                                                  "stddev",
-                                                  "centroid_mm",
-                                                  "bbox_mm",
-                                                  "equivalent_diameter_mm",
-                                                  "principal_lengths_mm",
-                                                  "touches_border"};
 
 TEST(RegionsText, JsonHasTheContractsKeysInOrder) {
     const RegionTable table = sample_table();
@@ -131,10 +113,6 @@ TEST(RegionsText, QuotesAFlagWithACommaInIt) {
     EXPECT_EQ(rows[1][19], "a, \"b\";c");
     EXPECT_EQ(rows[0][19], "flags");
 }
-
-const std::vector<std::string> k_surface_keys = {
-    "surface_crofton_mm2", "surface_mesh_mm2",    "diameter_mm", "projected_area_mm2",
-    "integral_volume_mm3", "surface_distance_mm", "gap_mm"};
 
 TEST(RegionsText, WhatSurfacesSayStandsBehindTheRest) {
     RegionTable table = sample_table();
