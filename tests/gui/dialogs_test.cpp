@@ -37,19 +37,9 @@ protected:
     void walk(const Look& look) {
         open(k_casting);
         QTemporaryDir folder;
-        for (const DialogMaker& maker : every_dialog(*window, folder.path())) {
-            const std::unique_ptr<QDialog> dialog = maker.make();
-            dialog->show();
-            maker.settle(*dialog);
-            dialog->activateWindow();
-            (void)QTest::qWaitForWindowActive(dialog.get());
-            auto* tabs = dialog->findChild<QTabWidget*>();
-            for (int page = 0; page < (tabs ? tabs->count() : 1); ++page) {
-                if (tabs) tabs->setCurrentIndex(page);
-                QApplication::processEvents();
-                look(*dialog, std::string(maker.name) + " page " + std::to_string(page));
-            }
-        }
+        for_each_dialog_page(*window, folder.path(), [&](QDialog& dialog, const char* name, int page, int) {
+            look(dialog, std::string(name) + " page " + std::to_string(page));
+        });
     }
     static bool takesKeys(const QWidget& widget, const QDialog& dialog) {
         if (!(widget.focusPolicy() & Qt::TabFocus) || widget.window() != &dialog || !widget.isVisible()) return false;

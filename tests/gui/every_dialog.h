@@ -2,6 +2,8 @@
 
 #include <QDir>
 #include <QFile>
+#include <QTabWidget>
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -100,6 +102,26 @@ inline std::vector<DialogMaker> every_dialog(MainWindow& window, const QString& 
                    },
                    [wait_for](QDialog& d) { wait_for(static_cast<DicomBrowser*>(&d), &DicomBrowser::pictured); }});
     return all;
+}
+
+/// Shows each dialog in turn, filled and settled, and calls look(dialog, its name, page, pages) for every page of its
+/// tabs; a dialog without tabs has page 0 of 0.
+template <class Look>
+void for_each_dialog_page(MainWindow& window, const QString& folder, const Look& look) {
+    for (const DialogMaker& maker : every_dialog(window, folder)) {
+        const std::unique_ptr<QDialog> dialog = maker.make();
+        dialog->show();
+        maker.settle(*dialog);
+        dialog->activateWindow();
+        (void)QTest::qWaitForWindowActive(dialog.get());
+        auto* tabs = dialog->findChild<QTabWidget*>();
+        const int pages = tabs ? tabs->count() : 0;
+        for (int page = 0; page < std::max(1, pages); ++page) {
+            if (tabs) tabs->setCurrentIndex(page);
+            QApplication::processEvents();
+            look(*dialog, maker.name, page, pages);
+        }
+    }
 }
 
 }  // namespace lacuna::ui::test

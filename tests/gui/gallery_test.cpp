@@ -126,19 +126,11 @@ TEST_F(GalleryTest, TheWindow) {
 TEST_F(GalleryTest, EveryDialog) {
     open(k_casting);
     QTemporaryDir folder;
-    for (const DialogMaker& maker : every_dialog(*window, folder.path())) {
-        const std::unique_ptr<QDialog> dialog = maker.make();
-        dialog->show();
-        maker.settle(*dialog);
-        QApplication::processEvents();
-        auto* tabs = dialog->findChild<QTabWidget*>();
-        for (int page = 0; page < (tabs ? tabs->count() : 1); ++page) {
-            if (tabs) tabs->setCurrentIndex(page);
-            shot(dialog.get(), QStringLiteral("dialog-%1%2")
-                                   .arg(QLatin1String(maker.name))
-                                   .arg(tabs ? QStringLiteral("-%1").arg(page) : QString()));
-        }
-    }
+    for_each_dialog_page(*window, folder.path(), [&](QDialog& dialog, const char* name, int page, int pages) {
+        shot(&dialog, QStringLiteral("dialog-%1%2")
+                          .arg(QLatin1String(name))
+                          .arg(pages > 0 ? QStringLiteral("-%1").arg(page) : QString()));
+    });
 }
 
 }  // namespace
