@@ -38,9 +38,9 @@ struct VoiWindow {
 ///   LINEAR        x <= c - 0.5 - (w-1)/2: 0;  x > c - 0.5 + (w-1)/2: 1;  else (x - (c - 0.5)) / (w - 1) + 0.5
 ///   LINEAR_EXACT  x <= c - w/2: 0;  x > c + w/2: 1;  else (x - c) / w + 0.5
 ///   SIGMOID       1 / (1 + exp(-4 (x - c) / w))
-///   table         its first entry at c - w/2 and below, its last at c + w/2 and above, linear between entries; where
-///   the
-///                 window runs from the table's first value to its last, as C.11.2.1.1 says. No table: LINEAR_EXACT
+///   table         its first entry at c - w/2 and below, its last at c + w/2 and above, linear between entries; with a
+///                 window from the table's first value to its last this is C.11.2.1.1.
+///                 No table: LINEAR_EXACT
 /// The standard forbids a width under 1 for LINEAR, which is taken as 1, and one of 0 or less else, taken as a step.
 /// NaN is shown black.
 double voi_share(const VoiWindow& window, double value);
