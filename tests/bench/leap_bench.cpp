@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@
 #include "core/io/volume_reader.h"
 #include "core/regions/regions.h"
 #include "core/render/opencl_renderer.h"
+#include "core/render/turn.h"
 #include "core/volume/samples.h"
 #include "core/volume/statistics.h"
 
@@ -96,6 +98,8 @@ BenchScene make_scene(const std::string& name, const Volume& volume, Shading sha
     scene.mode = ViewMode::ea;
     scene.shading = shading;
     scene.camera.zoom = 1.5;
+    scene.camera.azimuth_deg = 15;
+    scene.camera.elevation_deg = 20;
     const double lo = statistics.range.lo, w = statistics.range.width(), unit = volume.geometry().diameter_mm() / 200;
     if (opacity > 0)
         scene.classification.tf = {"glass",
@@ -177,11 +181,11 @@ void render(const BenchScene& bench, const std::shared_ptr<ComputeDevice>& devic
     // A renderer each: one keeps one leap volume.
     std::vector<std::unique_ptr<OpenClRenderer>> renderers;
     for (std::size_t i = 0; i < rows.size(); ++i) renderers.push_back(std::make_unique<OpenClRenderer>(device));
+    const std::vector<Camera> turn = full_turn(bench.scene.camera, views);
     for (int round = -1; round < rounds; ++round)  // round -1 builds, compiles and compares
-        for (int view = 0; view < (round < 0 ? 1 : views); ++view) {
+        for (const Camera& view : std::span(turn).first(round < 0 ? 1 : turn.size())) {
             Scene scene = bench.scene;
-            scene.camera.azimuth_deg = 360.0 * view / views + 15;
-            scene.camera.elevation_deg = 20;
+            scene.camera = view;
             Frame truth;
             for (std::size_t i = 0; i < rows.size(); ++i) {
                 const RenderResult result = renderers[i]->render(scene, rows[i].plan, {}, false);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <span>
 #include <vector>
 
 #include "core/accuracy/image_error.h"
@@ -13,6 +14,7 @@
 #include "core/compute/device.h"
 #include "core/render/opencl_renderer.h"
 #include "core/render/reference_renderer.h"
+#include "core/render/turn.h"
 #include "core/volume/samples.h"
 #include "core/volume/smooth.h"
 #include "core/volume/statistics.h"
@@ -117,11 +119,11 @@ void run(const Bench& bench, OpenClRenderer& renderer, int views, int rounds) {
         Counters counters;
     };
     std::vector<Row> rows(bench.methods.size());
+    const std::vector<Camera> turn = full_turn(bench.scene.camera, views);
     for (int round = -1; round < rounds; ++round)  // round -1 builds, compiles and compares
-        for (int view = 0; view < (round < 0 ? 1 : views); ++view) {
+        for (const Camera& view : std::span(turn).first(round < 0 ? 1 : turn.size())) {
             Scene scene = bench.scene;
-            scene.camera.azimuth_deg = 360.0 * view / views + 10;
-            scene.camera.elevation_deg = 20;
+            scene.camera = view;
             if (round < 0) scene.size = {256, 256};
             const Frame truth = round < 0 ? render_reference(scene, bench.truth) : Frame{};
             for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -171,6 +173,8 @@ int main(int argc, char** argv) {
         const Volume volume = make_sample(name, {.size = size}).volume;
         Scene scene = default_scene(volume, compute_statistics(volume));
         scene.camera.zoom = 1.5;
+        scene.camera.azimuth_deg = 10;
+        scene.camera.elevation_deg = 20;
         const std::string what = name;
         for (ViewMode mode : {ViewMode::iso, ViewMode::ea})
             run(samplers(what + ", samplers, " + std::string(name_of(mode)), scene, mode), renderer, views, rounds);

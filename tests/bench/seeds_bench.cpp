@@ -15,6 +15,7 @@
 #include "core/base/order_statistics.h"
 #include "core/compute/device.h"
 #include "core/render/engine.h"
+#include "core/render/turn.h"
 #include "core/volume/samples.h"
 #include "core/volume/statistics.h"
 
@@ -189,9 +190,11 @@ private:
     }
 
     void run(Scene& scene, std::vector<Way>& ways) {
-        for (int view = -1; view < views_; ++view) {
-            scene.camera.azimuth_deg = 360.0 * std::max(view, 0) / views_ + 7;
-            scene.camera.elevation_deg = 20;
+        scene.camera.azimuth_deg = 7;
+        scene.camera.elevation_deg = 20;
+        const std::vector<Camera> turn = full_turn(scene.camera, views_);
+        for (int view = -1; view < views_; ++view) {  // view -1 builds, compiles and compares
+            scene.camera = turn[std::size_t(std::max(view, 0))];
             Frame truth;
             for (Way& way : ways) {
                 scene.effects = way.effects;

@@ -17,6 +17,7 @@
 #include "core/compute/device.h"
 #include "core/render/engine.h"
 #include "core/render/shear_warp.h"
+#include "core/render/turn.h"
 #include "core/volume/samples.h"
 #include "core/volume/statistics.h"
 
@@ -81,11 +82,14 @@ std::vector<Way> ways(const Scene& scene) {
 
 void frame_rates(const Scene& scene, Engine& engine, int views, int rounds) {
     std::vector<Way> all = ways(scene);
+    Camera first = scene.camera;
+    first.azimuth_deg = 360.0 * 0.37 / views;  // along none of the volume's axes
+    first.elevation_deg = 20;
+    const std::vector<Camera> turn = full_turn(first, views);
     for (int round = -1; round < rounds; ++round)  // round -1 builds and compiles
-        for (int view = 0; view < views; ++view)
+        for (const Camera& view : turn)
             for (Way& w : all) {
-                w.scene.camera.azimuth_deg = 360.0 * (view + 0.37) / views;
-                w.scene.camera.elevation_deg = 20;
+                w.scene.camera = view;
                 const double ms = engine.render(w.scene, w.plan).frame.ms;
                 if (round >= 0) w.ms.push_back(ms);
             }
@@ -141,11 +145,14 @@ void extraction(const Scene& scene, int rounds) {
         }
     // A new isovalue: the same renderer, another surface every time, up to the picture.
     ShearWarpRenderer renderer;
-    for (int n = 0; n < 12; ++n)
+    Camera first = scene.camera;
+    first.azimuth_deg = 7;
+    int n = 0;
+    for (const Camera& view : full_turn(first, 12)) {
         for (const Sampler sampler : {Sampler::nearest, Sampler::linear}) {
             Scene moved = scene;
             moved.iso += 5 * n;
-            moved.camera.azimuth_deg = 30 * n + 7;
+            moved.camera = view;
             Plan plan = default_plan(moved);
             plan.sampler = sampler;
             BuildRecord built;
@@ -153,6 +160,8 @@ void extraction(const Scene& scene, int rounds) {
             renderer.render(moved, plan, {}, built);
             first_ms[sampler == Sampler::linear].push_back(watch.ms());
         }
+        ++n;
+    }
     fmt::print("\n| extraction | 24 regions | 6 regions |\n| --- | --- | --- |\n");
     fmt::print("| visible voxels, % of all, mean of the regions | {:.2f} | {:.2f} |\n", share[0], share[1]);
     fmt::print("| all regions prepared, ms | {:.0f} | {:.0f} |\n", median(all_ms[0]), median(all_ms[1]));

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "core/accuracy/image_error.h"
 #include "core/base/order_statistics.h"
 #include "core/compute/device.h"
 #include "core/render/opencl_renderer.h"
+#include "core/render/turn.h"
 #include "core/volume/samples.h"
 #include "core/volume/statistics.h"
 
@@ -36,6 +38,7 @@ std::vector<BenchScene> make_scenes(int size) {
         const VolumeStatistics statistics = compute_statistics(volume);
         Scene scene = default_scene(volume, statistics);
         scene.camera.zoom = 1.5;
+        scene.camera.elevation_deg = 20;
         for (ViewMode mode : {ViewMode::iso, ViewMode::ea, ViewMode::mip}) {
             scene.mode = mode;
             scenes.push_back({fmt::format("{} {}", name, name_of(mode)), scene});
@@ -60,11 +63,11 @@ void run(const BenchScene& bench, OpenClRenderer& renderer, int views, int round
     const Structure structures[] = {Structure::none, Structure::macrocells, Structure::octree, Structure::pyramid,
                                     Structure::pc,   Structure::acd,        Structure::eacd,   Structure::leap};
     std::map<Structure, Row> rows;
+    const std::vector<Camera> turn = full_turn(bench.scene.camera, views);
     for (int round = -1; round < rounds; ++round)  // round -1 builds, compiles and compares
-        for (int view = 0; view < (round < 0 ? 1 : views); ++view) {
+        for (const Camera& view : std::span(turn).first(round < 0 ? 1 : turn.size())) {
             Scene scene = bench.scene;
-            scene.camera.azimuth_deg = 360.0 * view / views;
-            scene.camera.elevation_deg = 20;
+            scene.camera = view;
             Frame truth;
             for (Structure structure : structures) {
                 Plan plan = default_plan(scene);

@@ -85,6 +85,8 @@ Scene scene_of(const Subject& subject, int size) {
     scene.iso = subject.iso;
     scene.camera.zoom = 1.35;
     scene.camera.fov_deg = 30;
+    scene.camera.azimuth_deg = 7;
+    scene.camera.elevation_deg = 20;
     return scene;
 }
 
@@ -113,11 +115,6 @@ std::vector<PeerScene> make_plain_scenes(int size, ViewMode mode) {
         scenes.back().scene.mode = mode;
     }
     return scenes;
-}
-
-void set_view(Scene& scene, int index, int count) {
-    scene.camera.azimuth_deg = 360.0 * index / count + 7;
-    scene.camera.elevation_deg = 20;
 }
 
 }  // namespace lacuna::peers

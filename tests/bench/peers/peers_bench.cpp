@@ -19,6 +19,7 @@
 #include "core/render/engine.h"
 #include "core/render/opencl_renderer.h"
 #include "core/render/reference_renderer.h"
+#include "core/render/turn.h"
 #include "tests/bench/peers/peer_scenes.h"
 #include "tests/bench/peers/vtk_peer.h"
 #include "tests/bench/peers/vtk_threads.h"
@@ -105,8 +106,9 @@ public:
             Plan plan = default_plan(next.scene);
             plan.structure = Structure::none;
             std::vector<double> a, b;
+            const std::vector<Camera> turn = full_turn(next.scene.camera, options_.views);
             for (int view = -1; view < options_.views; ++view) {
-                set_view(next.scene, std::max(view, 0), options_.views);
+                next.scene.camera = turn[std::size_t(std::max(view, 0))];
                 const double slow = single.render(next.scene, plan, {}, false).frame.ms;
                 const double fast = packets.render(next.scene, plan, {}, false).frame.ms;
                 if (view < 0) continue;  // compiles
@@ -128,7 +130,8 @@ private:
         return watch.ms();
     }
 
-    double one_volume(const std::string& name, Scene& scene, double step) {
+    double one_volume(const std::string& name, Scene scene, double step) {
+        const std::vector<Camera> turn = full_turn(scene.camera, options_.views);
         VtkPeer vtk(scene, step, threads_);
         Plan best = default_plan(scene);
         best.step = step;
@@ -137,7 +140,7 @@ private:
         std::map<std::string, std::vector<double>> ms;
         Frame theirs, ours;
         for (int view = -1; view < options_.views * options_.rounds; ++view) {
-            set_view(scene, std::max(view, 0) % options_.views, options_.views);
+            scene.camera = turn[std::size_t(std::max(view, 0)) % turn.size()];
             const double a = vtk.draw(scene), alone = vtk.caster_ms(), b = lacuna_ms(scene, best);
             if (view < 0) {  // first pictures: build, compile, touch memory
                 theirs = vtk.picture();
@@ -154,7 +157,7 @@ private:
         const double ratio = median(ms["vtk"]) / median(ms["lacuna"]);
         std::string errors = "- | -";
         if (options_.errors) {
-            set_view(scene, 0, options_.views);
+            scene.camera = turn.front();
             Plan truth_plan = reference_plan(scene, best);
             const Frame truth = render_reference(scene, truth_plan);
             const ImageError e = compare(theirs, truth, {0, 0, 0}), f = compare(ours, truth, {0, 0, 0});
@@ -170,16 +173,17 @@ private:
         return ratio;
     }
 
-    std::pair<double, double> one_surface(const std::string& name, Scene& scene) {
+    std::pair<double, double> one_surface(const std::string& name, Scene scene) {
+        const std::vector<Camera> turn = full_turn(scene.camera, options_.views);
         VtkPeer vtk(scene, 1, threads_);
         Plan plan = default_plan(scene);
         std::vector<double> first_a, first_b, a, b;
         const double iso = scene.iso;
         for (int view = -1; view < options_.views * options_.rounds; ++view) {
-            set_view(scene, std::max(view, 0) % options_.views, options_.views);
+            scene.camera = turn[std::size_t(std::max(view, 0)) % turn.size()];
             scene.iso = iso * (1 + 0.002 * ((view + 1) % 5 + 1));  // never the one drawn last
             const double x = vtk.draw(scene), y = lacuna_ms(scene, plan);
-            set_view(scene, std::max(view, 0) % options_.views + 1, options_.views);
+            scene.camera = turn[(std::size_t(std::max(view, 0)) + 1) % turn.size()];
             const double u = vtk.draw(scene), v = lacuna_ms(scene, plan);
             if (view < 0) continue;
             first_a.push_back(x);
