@@ -3,10 +3,8 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMap>
-#include <QSettings>
-#include <QStandardPaths>
 
+#include "ui/kept_places.h"
 #include "ui/preferences.h"
 
 namespace lacuna::ui::file_choice {
@@ -21,66 +19,34 @@ QString name_of(FileKind kind) { return QString::fromLatin1(k_names[int(kind)]);
 /// Any kind that is read, or written.
 QString name_of_any(bool to_write) { return to_write ? QStringLiteral("any-written") : QStringLiteral("any-read"); }
 
-QString kept_file() {
-    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
-    folder.mkpath(QStringLiteral("."));
-    return folder.filePath(QStringLiteral("folders.ini"));
-}
+const QString k_group = QStringLiteral("folders");
 
-/// Of this run, and of the runs before where they were kept.
-QMap<QString, QString>& last_folders() {
-    static QMap<QString, QString> folders = [] {
-        QMap<QString, QString> kept;
-        const QSettings file(kept_file(), QSettings::IniFormat);
-        for (const QString& key : file.allKeys()) kept[key] = file.value(key).toString();
-        return kept;
-    }();
-    return folders;
-}
+QString last_folder(const QString& name) { return KeptPlaces::instance().group(k_group).value(name).toString(); }
 
 QString folder_of(const QString& path) { return path.isEmpty() ? QString() : QFileInfo(path).absolutePath(); }
 
 bool is_folder(const QString& path) { return !path.isEmpty() && QFileInfo(path).isDir(); }
-
-void keep() {
-    const QString name = kept_file();
-    if (preferences::hide_patient()) {
-        QFile::remove(name);
-        return;
-    }
-    {
-        QFile file(name);  // nobody else's eyes, from the first byte on
-        if (!file.exists() && !file.open(QIODevice::WriteOnly)) return;
-        file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
-    }
-    QSettings file(name, QSettings::IniFormat);
-    file.clear();
-    for (auto at = last_folders().cbegin(); at != last_folders().cend(); ++at) file.setValue(at.key(), at.value());
-}
 
 }  // namespace
 
 QString start_folder(FileKind kind, bool to_write) {
     const QString chosen = to_write ? preferences::save_folder() : preferences::open_folder();
     if (is_folder(chosen)) return chosen;
-    if (const QString own = last_folders().value(name_of(kind)); is_folder(own)) return own;
-    if (const QString alike = last_folders().value(name_of_any(to_write)); is_folder(alike)) return alike;
+    if (const QString own = last_folder(name_of(kind)); is_folder(own)) return own;
+    if (const QString alike = last_folder(name_of_any(to_write)); is_folder(alike)) return alike;
     return QDir::homePath();
 }
 
 void remember(FileKind kind, bool to_write, const QString& folder) {
     if (folder.isEmpty()) return;
-    QMap<QString, QString>& folders = last_folders();
-    const QString alike = name_of_any(to_write);
-    if (folders.value(name_of(kind)) == folder && folders.value(alike) == folder) return;
-    folders[name_of(kind)] = folders[alike] = folder;
-    keep();
+    const QString own = name_of(kind), alike = name_of_any(to_write);
+    if (last_folder(own) == folder && last_folder(alike) == folder) return;
+    QVariantMap folders = KeptPlaces::instance().group(k_group);
+    folders[own] = folders[alike] = folder;
+    KeptPlaces::instance().setGroup(k_group, folders);
 }
 
-void forget() {
-    last_folders().clear();
-    QFile::remove(kept_file());
-}
+void forget() { KeptPlaces::instance().setGroup(k_group, {}); }
 
 QString open_file(QWidget* parent, const QString& title, FileKind kind, const QString& filter) {
     const QString file = QFileDialog::getOpenFileName(parent, title, start_folder(kind, false), filter);

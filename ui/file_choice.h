@@ -26,8 +26,7 @@ enum class FileKind {
 
 /// The one way to ask for files and folders: a dialog starts in the folder chosen in the settings for reading or
 /// writing; where none was chosen, in the last one used for this kind of file, else for another kind that is read or
-/// written alike, else at home. Folders may be named after patients: what was used last is kept in a file of the user's
-/// alone beside the sessions, and with "hide patients" only as long as the program runs.
+/// written alike, else at home. What was used last is kept as KeptPlaces says.
 namespace file_choice {
 
 /// Each gives an empty answer where nothing was chosen, and remembers where it was otherwise.

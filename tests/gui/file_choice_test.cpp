@@ -3,10 +3,10 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 
 #include "ui/file_choice.h"
+#include "ui/kept_places.h"
 #include "ui/preferences.h"
 
 namespace lacuna::ui {
@@ -24,9 +24,6 @@ protected:
     QString made(const char* name) const {
         QDir(folder.path()).mkpath(QLatin1String(name));
         return folder.filePath(QLatin1String(name));
-    }
-    static QString kept() {
-        return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/folders.ini");
     }
     QTemporaryDir folder;
 };
@@ -55,12 +52,12 @@ TEST_F(FileChoice, TheFolderChosenInTheSettingsGoesFirst) {
 
 TEST_F(FileChoice, TheFileIsTheUsersAloneAndThereIsNoneWherePatientsAreHidden) {
     file_choice::remember(FileKind::volume, false, made("Mueller_Hans"));
-    ASSERT_TRUE(QFileInfo::exists(kept()));
-    EXPECT_FALSE(QFileInfo(kept()).permissions() &
+    ASSERT_TRUE(QFileInfo::exists(KeptPlaces::file()));
+    EXPECT_FALSE(QFileInfo(KeptPlaces::file()).permissions() &
                  (QFile::ReadGroup | QFile::ReadOther | QFile::WriteGroup | QFile::WriteOther));
     preferences::set_hide_patient(true);
     file_choice::remember(FileKind::volume, false, made("Mueller_Ida"));
-    EXPECT_FALSE(QFileInfo::exists(kept()));
+    EXPECT_FALSE(QFileInfo::exists(KeptPlaces::file()));
     EXPECT_EQ(file_choice::start_folder(FileKind::volume, false), made("Mueller_Ida"));
 }
 

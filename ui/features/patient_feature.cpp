@@ -3,6 +3,7 @@
 #include <QSignalBlocker>
 
 #include "core/io/dicom_identity.h"
+#include "ui/kept_places.h"
 #include "ui/preferences.h"
 
 namespace lacuna::ui {
@@ -36,6 +37,7 @@ bool PatientFeature::hidden() const { return !shown_->isChecked(); }
 void PatientFeature::setHidden(bool hide) {
     shown_->setChecked(!hide);
     preferences::set_hide_patient(hide);
+    KeptPlaces::instance().keep();
     show();
 }
 

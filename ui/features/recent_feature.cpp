@@ -4,8 +4,8 @@
 #include <QFileInfo>
 #include <QFontMetrics>
 #include <QLocale>
-#include <QSettings>
 
+#include "ui/kept_places.h"
 #include "ui/preferences.h"
 
 namespace lacuna::ui {
@@ -16,18 +16,19 @@ constexpr int k_widest_title = 420;  // pixels
 
 bool is_session(const QString& input) { return input.endsWith(QLatin1String(k_session_suffix)); }
 
+const QString k_group = QStringLiteral("recent");
+
+/// "1/input" is the newest entry's input.
+QString key_of(int row, const char* what) { return QStringLiteral("%1/%2").arg(row + 1).arg(QLatin1String(what)); }
+
 QList<RecentFeature::Entry> kept_entries() {
-    QSettings settings;
+    const QVariantMap kept = KeptPlaces::instance().group(k_group);
     QList<RecentFeature::Entry> entries;
-    const int count = std::min(settings.beginReadArray(QStringLiteral("recent")), RecentFeature::k_most);
-    for (int i = 0; i < count; ++i) {
-        settings.setArrayIndex(i);
-        const auto word = [&](const char* key) { return settings.value(QLatin1String(key)).toString(); };
+    for (int i = 0; i < RecentFeature::k_most; ++i) {
+        const auto word = [&](const char* what) { return kept.value(key_of(i, what)).toString(); };
         if (!word("input").isEmpty())
-            entries.append(
-                {word("input"), word("series"), word("raw"), settings.value(QStringLiteral("opened")).toDateTime()});
+            entries.append({word("input"), word("series"), word("raw"), kept.value(key_of(i, "opened")).toDateTime()});
     }
-    settings.endArray();
     return entries;
 }
 
@@ -64,17 +65,14 @@ void RecentFeature::note(const QString& input, const OpenOptions& options) {
 }
 
 void RecentFeature::keep() {
-    QSettings settings;
-    settings.remove(QStringLiteral("recent"));
-    settings.beginWriteArray(QStringLiteral("recent"), int(entries_.size()));
+    QVariantMap kept;
     for (int i = 0; i < entries_.size(); ++i) {
-        settings.setArrayIndex(i);
-        settings.setValue(QStringLiteral("input"), entries_[i].input);
-        settings.setValue(QStringLiteral("series"), entries_[i].series);
-        settings.setValue(QStringLiteral("raw"), entries_[i].raw);
-        settings.setValue(QStringLiteral("opened"), entries_[i].opened);
+        kept[key_of(i, "input")] = entries_[i].input;
+        kept[key_of(i, "series")] = entries_[i].series;
+        kept[key_of(i, "raw")] = entries_[i].raw;
+        kept[key_of(i, "opened")] = entries_[i].opened;
     }
-    settings.endArray();
+    KeptPlaces::instance().setGroup(k_group, kept);
     fillMenu();
 }
 

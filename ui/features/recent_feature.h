@@ -7,9 +7,9 @@
 
 namespace lacuna::ui {
 
-/// What was opened lately, to be opened again: a menu of the last inputs and sessions, kept in QSettings. Samples are
-/// not kept. While patients' data are hidden, an entry shows what it is and when it was open, not its name. One that is
-/// no longer there is said to be so when it is chosen, and leaves the list.
+/// What was opened lately, to be opened again: a menu of the last inputs and sessions, kept as KeptPlaces says. Samples
+/// are not kept. While patients' data are hidden, an entry shows what it is and when it was open, not its name. One
+/// that is no longer there is said to be so when it is chosen, and leaves the list.
 class RecentFeature final : public QObject {
     Q_OBJECT
 public:
