@@ -114,10 +114,10 @@ void FrameScheduler::start(bool coarse) {
     const Task task{std::make_shared<const Scene>(std::move(scene)), std::move(plan), coarse, complete};
     job_.start(
         [this, engine = engine_, task](const JobContext& job) {
-            const auto on_the_way = [&](const Frame& frame) {
+            const auto on_the_way = [&](Frame frame) {
                 QMetaObject::invokeMethod(
                     this,
-                    [this, task, drawn = to_drawn(frame), stop = job.stop] {
+                    [this, task, drawn = to_drawn(std::move(frame)), stop = job.stop] {
                         if (!stop.stop_requested()) show(task, drawn, true);
                     },
                     Qt::QueuedConnection);

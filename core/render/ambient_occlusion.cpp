@@ -211,7 +211,7 @@ void occlude_rows(const Scene& scene, const ViewRays& rays, const Sampling& how,
 }  // namespace
 
 void ambient_occlusion(const Scene& scene, const ViewRays& rays, const Effect& effect, Frame& frame,
-                       const JobContext& job, const std::function<void(Frame)>& on_the_way) {
+                       const JobContext& job, const FramePreview& on_the_way) {
     const double strength = effect.value(2);
     if (strength == 0) return;
     const GridGeometry& grid = scene.volume.geometry();

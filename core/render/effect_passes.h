@@ -50,7 +50,7 @@ void screen_space_occlusion(const Scene& scene, const ViewRays& rays, const Effe
                             const JobContext& job);
 /// @param on_the_way  gets the frame darkened by the samples so far, a copy each; none: no pictures on the way
 void ambient_occlusion(const Scene& scene, const ViewRays& rays, const Effect& effect, Frame& frame,
-                       const JobContext& job, const std::function<void(Frame)>& on_the_way);
+                       const JobContext& job, const FramePreview& on_the_way);
 void depth_of_field(const Scene& scene, const ViewRays& rays, const Effect& effect, Frame& frame,
                     const JobContext& job);
 /// gamma, tonemap, brightness, contrast

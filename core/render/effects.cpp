@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/base/vector_clones.h"
@@ -146,9 +147,9 @@ void apply_from(std::size_t first, const Scene& scene, const ViewRays& rays, Fra
                 break;
             case EffectKind::ao:
                 effects::ambient_occlusion(scene, rays, effect, frame, silent,
-                                           preview ? std::function<void(Frame)>([&](Frame so_far) {
+                                           preview ? FramePreview([&](Frame so_far) {
                                                apply_from(i + 1, scene, rays, so_far, silent, nullptr);
-                                               preview(so_far);
+                                               preview(std::move(so_far));
                                            })
                                                    : nullptr);
                 break;

@@ -47,15 +47,15 @@ bool serves(EffectKind kind, ViewMode mode);
 /// @throws Error(bad_usage) for a wrong count of values, a value out of range, or ao in a mode that shows no surface
 void check(const std::vector<Effect>& effects, ViewMode mode);
 
-/// Takes a finished picture that a better one will follow; called on the thread that works.
-using FramePreview = std::function<void(const Frame&)>;
+/// Takes a finished picture that a better one will follow, to keep; called on the thread that works.
+using FramePreview = std::function<void(Frame)>;
 
 /// Applies the scene's effects in their order to a frame rendered from it. Works on floats, clamps nothing, leaves
 /// opacity and depth as they are and pixels of opacity 0 untouched; same bytes for any number of threads. Cost at
 /// 512x512 on two threads: a few ms each, but for ao (tenths of a second). Ends within 30 ms of a stop.
 /// @param preview  where wanted: gets pictures on the way while ao gathers its samples, each of twice as many as the
-/// one
-///                 before, all other effects applied; the last picture is the same with it and without
+///                 one before, all other effects applied; the last picture is the same with it and without. The frame
+///                 is copied once for each.
 /// @pre check(scene) passed, frame.size == scene.size  @throws Error(cancelled)
 void apply_effects(const Scene& scene, Frame& frame, const JobContext& job = {}, const FramePreview& preview = nullptr);
 

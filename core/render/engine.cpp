@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <mutex>
+#include <utility>
 
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -99,11 +100,10 @@ RenderResult Engine::render(const Scene& scene, const Plan& asked, const JobCont
     }
     if (!scene.effects.empty()) {
         const Stopwatch effects_watch;
-        const auto on_the_way = [&](const Frame& frame) {
-            Frame marked = frame;
-            draw_highlights(scene, marked, job);
-            marked.ms += effects_watch.ms();
-            preview(marked);
+        const auto on_the_way = [&](Frame frame) {
+            draw_highlights(scene, frame, job);
+            frame.ms += effects_watch.ms();
+            preview(std::move(frame));
         };
         apply_effects(scene, result.frame, job, preview ? FramePreview(on_the_way) : nullptr);
         result.frame.ms += effects_watch.ms();
