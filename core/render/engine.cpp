@@ -64,6 +64,16 @@ void draw_highlights(const Scene& scene, Frame& frame, const JobContext& job) {
 
 }  // namespace
 
+/// Counts anew what is held, however the work under the engine's lock ends.
+struct Engine::CountsBytes {
+    Engine& engine;
+    void now() const {
+        engine.bytes_held_ =
+            engine.shear_warp_->bytes_held() + (engine.opencl_ ? engine.opencl_->bytes_held() : std::size_t(0));
+    }
+    ~CountsBytes() { now(); }
+};
+
 Plan Engine::fitted(const Plan& plan, const Scene& scene) const {
     refuse_outside_memory(scene, device_ != nullptr);
     if (!opencl_ || scene.mode == ViewMode::shear_warp) return plan;
@@ -88,6 +98,7 @@ RenderResult Engine::render(const Scene& scene, const Plan& asked, const JobCont
     while (!lock.try_lock_for(std::chrono::milliseconds(10))) job.check();
     job.check();
 
+    const CountsBytes counts_bytes{*this};
     const Stopwatch watch;
     RenderResult result;
     if (scene.mode == ViewMode::shear_warp) {
@@ -99,6 +110,7 @@ RenderResult Engine::render(const Scene& scene, const Plan& asked, const JobCont
         result.frame.ms = watch.ms();
     }
     if (!scene.effects.empty()) {
+        counts_bytes.now();  // pictures on the way are told with it
         const Stopwatch effects_watch;
         const auto on_the_way = [&](Frame frame) {
             draw_highlights(scene, frame, job);
@@ -116,13 +128,9 @@ std::string Engine::device_name() const {
     return device_ ? device_->info().name : "reference renderer (no OpenCL device)";
 }
 
-std::size_t Engine::bytes_held() const {
-    std::lock_guard lock(mutex_);
-    return shear_warp_->bytes_held() + (opencl_ ? opencl_->bytes_held() : 0);
-}
-
 void Engine::drop_caches() {
     std::lock_guard lock(mutex_);
+    const CountsBytes counts_bytes{*this};
     shear_warp_->drop();
     if (opencl_) opencl_->drop_caches();
 }

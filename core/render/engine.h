@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -54,17 +55,20 @@ public:
 
     /// "pthread-AMD EPYC ..." or "reference renderer (no OpenCL device)".
     std::string device_name() const;
-    /// Bytes held by cached structures and device copies now.
-    std::size_t bytes_held() const;
+    /// Bytes held by cached structures and device copies after the last frame; answers at once while one is drawn.
+    std::size_t bytes_held() const { return bytes_held_; }
     /// Drops all cached structures and device copies.
     void drop_caches();
 
 private:
+    struct CountsBytes;
+
     std::shared_ptr<ComputeDevice> device_;
     std::unique_ptr<OpenClRenderer> opencl_;
     std::unique_ptr<ShearWarpRenderer> shear_warp_;
     std::uint64_t memory_limit_ = 0;
-    mutable std::timed_mutex mutex_;
+    std::atomic<std::size_t> bytes_held_ = 0;
+    std::timed_mutex mutex_;
 };
 
 }  // namespace lacuna

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <future>
 #include <thread>
 
 #include "core/base/error.h"
@@ -362,6 +363,21 @@ TEST(Effects, AmbientOcclusionComesByWayOfBetterAndBetterPictures) {
         }
         EXPECT_LT(errors.back(), 0.5 * errors.front());
     }
+}
+
+TEST(Effects, WhatIsHeldIsToldWhileAFrameIsDrawn) {
+    Scene scene = block([](const glm::dvec3& mm) { return mm.y; });
+    scene.effects = parse_effects("ao=4,40");
+    Engine engine(nullptr);
+    std::vector<std::future<std::size_t>> answers;
+    int told = 0;
+    // Who shows a picture on the way asks this, and would otherwise wait for the last one.
+    const auto ask = [&](const Frame&) {
+        answers.push_back(std::async(std::launch::async, [&engine] { return engine.bytes_held(); }));
+        told += answers.back().wait_for(std::chrono::seconds(10)) == std::future_status::ready;
+    };
+    engine.render(scene, brute_force(), {}, false, ask);
+    EXPECT_EQ(told, 1) << "the picture of 2 samples";
 }
 
 TEST(Effects, OddDepthsAndTinyPicturesAreSafe) {
