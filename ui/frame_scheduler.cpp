@@ -59,6 +59,7 @@ void FrameScheduler::setEngine(std::shared_ptr<Engine> engine) {
 void FrameScheduler::setSize(QSize pixels) {
     if (pixels == size_) return;
     size_ = pixels;
+    if (size_.isEmpty()) return cancel();
     changed();
 }
 
@@ -111,9 +112,9 @@ void FrameScheduler::start(bool coarse) {
     coarse_running_ = coarse;
     changed_since_start_ = false;
     since_start_.start();
-    const Task task{std::make_shared<const Scene>(std::move(scene)), std::move(plan), coarse, complete};
+    const Task task{engine_, std::make_shared<const Scene>(std::move(scene)), std::move(plan), coarse, complete};
     job_.start(
-        [this, engine = engine_, task](const JobContext& job) {
+        [this, task](const JobContext& job) {
             const auto on_the_way = [&](Frame frame) {
                 QMetaObject::invokeMethod(
                     this,
@@ -122,7 +123,7 @@ void FrameScheduler::start(bool coarse) {
                     },
                     Qt::QueuedConnection);
             };
-            return to_drawn(engine->render(*task.scene, task.plan, job, false, on_the_way).frame);
+            return to_drawn(task.engine->render(*task.scene, task.plan, job, false, on_the_way).frame);
         },
         [this, task](Outcome<DrawnFrame> outcome) { finish(task, std::move(outcome)); },
         [this](double share) { Q_EMIT progressed(share); });
@@ -133,6 +134,7 @@ void FrameScheduler::finish(const Task& task, Outcome<DrawnFrame> outcome) {
     const bool coarse = task.coarse, complete = task.complete;
     coarse_running_ = false;
     if (const Error* error = std::get_if<Error>(&outcome)) {
+        if (changed_since_start_) return start(true);  // what failed is no longer what is wanted
         still_.stop();
         Q_EMIT busyChanged(false);
         if (error->code() != Errc::cancelled) Q_EMIT failed(QString::fromStdString(error->what()));
@@ -159,9 +161,9 @@ void FrameScheduler::show(const Task& task, const DrawnFrame& drawn, bool coarse
     FrameFacts facts;
     facts.coarse = coarse;
     facts.ms = drawn.frame->ms;
-    facts.device = QString::fromStdString(engine_->device_name());
+    facts.device = QString::fromStdString(task.engine->device_name());
     facts.plan = describe(*task.scene, task.plan);
-    facts.bytes_held = engine_->bytes_held();
+    facts.bytes_held = task.engine->bytes_held();
     facts.scene = task.scene;
     facts.drawn = task.plan;
     facts.frame = drawn.frame;

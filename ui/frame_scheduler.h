@@ -46,7 +46,7 @@ public:
     void setEngine(std::shared_ptr<Engine> engine);
     bool hasEngine() const { return engine_ != nullptr; }
     const std::shared_ptr<Engine>& engine() const { return engine_; }
-    /// Size of the picture in device pixels.
+    /// Size of the picture in device pixels; an empty one stops.
     void setSize(QSize pixels);
     void setScene(const Scene& scene, const Plan& plan);
     /// Forgets the scene and stops.
@@ -65,6 +65,7 @@ private:
     void changed();
     void start(bool coarse);
     struct Task {
+        std::shared_ptr<Engine> engine;  ///< may be another one by the time the frame comes
         std::shared_ptr<const Scene> scene;
         Plan plan;
         bool coarse, complete;
