@@ -4750,6 +4750,10 @@
         <source>It has left the list of what was open lately.</source>
         <translation>Sie steht nicht mehr in der Liste des zuletzt Geöffneten.</translation>
     </message>
+    <message>
+        <source>What was open then is no longer there.</source>
+        <translation>Was damals geöffnet war, ist nicht mehr da.</translation>
+    </message>
 </context>
 <context>
     <name>lacuna::ui::RegionModel</name>

@@ -140,6 +140,18 @@ TEST_F(FilesTest, AnInputThatIsGoneIsSaidAndLeavesTheList) {
     EXPECT_TRUE(recent()->entries().isEmpty());
 }
 
+TEST_F(FilesTest, WhatFailsInsteadOfAnEntryDoesNotRemoveIt) {
+    open(write(QStringLiteral("a.nrrd")));
+    QFile::remove(path(QStringLiteral("a.nrrd")));
+    QSignalSpy finished(window->loader(), &LoadController::finished);
+    recent()->open(0);
+    window->openInput(path(QStringLiteral("other.nrrd")));  // before the first was found to be gone
+    ASSERT_TRUE(finished.wait(k_patience_ms));
+    EXPECT_TRUE(window->messageBar()->text().contains(QStringLiteral("other.nrrd")));
+    EXPECT_FALSE(window->messageBar()->text().contains(QStringLiteral("left the list")));
+    EXPECT_EQ(recent()->entries().size(), 1);
+}
+
 TEST_F(FilesTest, NamesAreHiddenWithThePatients) {
     open(write(QStringLiteral("Doe_Jane.nrrd")));
     preferences::set_hide_patient(true);
@@ -149,6 +161,15 @@ TEST_F(FilesTest, NamesAreHiddenWithThePatients) {
     EXPECT_FALSE(hidden.contains(QStringLiteral("Doe"))) << hidden.toStdString();
     Q_EMIT recent()->menu()->aboutToShow();
     EXPECT_TRUE(recent()->menu()->actions().front()->text().contains(QStringLiteral("Doe")));
+    // Nor are they told when there is nothing left to open.
+    QFile::remove(path(QStringLiteral("Doe_Jane.nrrd")));
+    preferences::set_hide_patient(true);
+    QSignalSpy finished(window->loader(), &LoadController::finished);
+    recent()->menu()->actions().front()->trigger();
+    EXPECT_TRUE(finished.wait(k_patience_ms));
+    preferences::set_hide_patient(false);
+    EXPECT_TRUE(window->messageBar()->text().contains(QStringLiteral("left the list")));
+    EXPECT_FALSE(window->messageBar()->text().contains(QStringLiteral("Doe"))) << "in the message";
 }
 
 TEST_F(FilesTest, TheListHoldsTen) {

@@ -49,6 +49,11 @@ RecentFeature::RecentFeature(Workbench& bench, SessionFeature& session)
     connect(&session, &SessionFeature::saved, this, [this](const QString& file) { note(file); });
     connect(&session, &SessionFeature::chosen, this, [this](const QString& file) { note(file); });
     connect(bench.loader(), &LoadController::failed, this, &RecentFeature::failed);
+    // What fails after it is not what was asked for here.
+    connect(bench.loader(), &LoadController::started, this, [this](const QString& input) {
+        if (asked_ && asked_->input != input) asked_.reset();
+    });
+    connect(bench.loader(), &LoadController::cancelled, this, [this] { asked_.reset(); });
     // Names may have to be hidden by now.
     connect(menu_, &QMenu::aboutToShow, this, &RecentFeature::fillMenu);
     fillMenu();
@@ -105,14 +110,9 @@ void RecentFeature::fillMenu() {
 void RecentFeature::open(int row) {
     if (row < 0 || row >= entries_.size()) return;
     const Entry entry = entries_[row];
+    if (is_session(entry.input) && QFileInfo::exists(entry.input)) return session_.openFile(entry.input);
     asked_ = entry;
-    if (is_session(entry.input)) {
-        if (QFileInfo::exists(entry.input))
-            session_.openFile(entry.input);
-        else
-            failed(tr("There is no file %1.").arg(QFileInfo(entry.input).fileName()));
-        return;
-    }
+    if (is_session(entry.input)) return failed(tr("There is no file %1.").arg(QFileInfo(entry.input).fileName()));
     OpenOptions options;
     options.series = entry.series.toStdString();
     options.raw = entry.raw.toStdString();
@@ -124,7 +124,8 @@ void RecentFeature::failed(const QString& words) {
     if (!asked || QFileInfo::exists(asked->input)) return;
     entries_.removeIf([&](const Entry& entry) { return entry.same_as(*asked); });
     keep();
-    bench_.messages()->showError(words + QLatin1Char(' ') + tr("It has left the list of what was open lately."));
+    const QString what = preferences::hide_patient() ? tr("What was open then is no longer there.") : words;
+    bench_.messages()->showError(what + QLatin1Char(' ') + tr("It has left the list of what was open lately."));
 }
 
 void RecentFeature::forgetAll() {
