@@ -64,6 +64,8 @@ void FrameScheduler::setSize(QSize pixels) {
 }
 
 void FrameScheduler::setScene(const Scene& scene, const Plan& plan) {
+    // Of other data, and other patients, no picture may come any more.
+    if (scene_ && scene_->volume.identity() != scene.volume.identity()) cancel();
     // What another kind of frame will take is not known yet: its first picture is a coarse one.
     if (scene_ && (scene_->mode != scene.mode || plan_.step != plan.step || plan_.structure != plan.structure))
         divisor_ = std::max(divisor_, 3);

@@ -30,8 +30,8 @@ struct DrawnFrame {
 
 /// Turns scenes into pictures off the UI thread: at once a coarse one, small and with long steps; a full one as soon as
 /// nothing has changed for a moment, where an effect takes long by way of pictures with ever more of its samples. A
-/// full frame is cancelled by any change; a coarse one is let finish, unless it turns out slow, so that a fast hand
-/// still sees pictures. How coarse follows from the frames measured before.
+/// full frame is cancelled by any change; a coarse one is let finish, unless it turns out slow or other data is to be
+/// seen, so that a fast hand still sees pictures. How coarse follows from the frames measured before.
 class FrameScheduler final : public QObject {
     Q_OBJECT
 public:

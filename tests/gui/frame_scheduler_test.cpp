@@ -6,6 +6,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <limits>
+#include <set>
 
 #include "core/volume/samples.h"
 #include "core/volume/statistics.h"
@@ -63,6 +64,18 @@ TEST_F(SchedulerTest, AChangeMadeWhileAFrameFailsIsDrawn) {
     EXPECT_EQ(last.scene->camera.azimuth_deg, 40);
     EXPECT_EQ(failed.count(), 0) << "of a picture nobody waits for";
     EXPECT_FALSE(busy);
+}
+
+TEST_F(SchedulerTest, NoPictureComesOfTheDataBefore) {
+    std::set<const void*> seen;
+    QObject::connect(&scheduler, &FrameScheduler::frameReady, &scheduler,
+                     [&](const QImage&, const FrameFacts& facts) { seen.insert(facts.scene->volume.identity()); });
+    show(scene);
+    Scene other = scene;
+    other.volume = make_sample("spheres", {.size = 20}).volume;
+    scheduler.setScene(other, default_plan(other));  // while the first is drawn
+    ASSERT_TRUE(QTest::qWaitFor([this] { return full == 1; }, k_patience_ms));
+    EXPECT_EQ(seen, std::set<const void*>{other.volume.identity()});
 }
 
 TEST_F(SchedulerTest, WithoutAPlaceForThePictureNothingIsBusy) {
