@@ -98,6 +98,41 @@ TEST_F(SessionTest, BringsAnInspectionAndItsDecisionsBack) {
     EXPECT_EQ(by_hand[0].reason, "too near to the thread");
 }
 
+TEST_F(SessionTest, DecisionsAreNotTakenForDefectsOfAnotherInspection) {
+    open(k_casting);
+    QSignalSpy inspected(window->inspection(), &InspectionFeature::finished);
+    DetectionOptions options = window->inspection()->panel()->form()->criteria().detection;
+    window->inspection()->inspect(options);
+    ASSERT_TRUE(inspected.wait(k_patience_ms));
+    ASSERT_TRUE(document().inspection);
+    ASSERT_GE(document().inspection->defects.size(), 1u);
+    window->inspection()->panel()->decide(1, false, QStringLiteral("too near to the thread"));
+    window->regions()->compute();
+    QSignalSpy found(window->regions(), &RegionsFeature::finished);
+    ASSERT_TRUE(found.wait(k_patience_ms));
+    window->regions()->select(1);
+    ASSERT_EQ(document().selected_region, 1u);
+    const QString file = folder.filePath(QStringLiteral("d.lacuna"));
+    save(file);
+    anotherWindow();
+    // Somebody inspects anew before the session's own inspection has come to its end.
+    options.min_voxels += 1;
+    QObject::connect(session(), &SessionFeature::restored, window.get(), [&] {
+        window->inspection()->inspect(options);
+        window->regions()->compute();
+    });
+    QSignalSpy anew(window->inspection(), &InspectionFeature::finished);
+    QSignalSpy regions(window->regions(), &RegionsFeature::finished);
+    reopen(file);
+    ASSERT_TRUE(anew.count() > 0 || anew.wait(k_patience_ms));
+    ASSERT_TRUE(regions.count() > 0 || regions.wait(k_patience_ms));
+    ASSERT_TRUE(document().inspection);
+    EXPECT_EQ(document().inspection->options.min_voxels, options.min_voxels);
+    ASSERT_GE(document().inspection->defects.size(), 1u);
+    EXPECT_TRUE(window->inspection()->panel()->judgement().by_hand.empty());
+    EXPECT_EQ(document().selected_region, 0u);
+}
+
 TEST_F(SessionTest, BringsRegionsTheirOptionsAndTheChosenRowBack) {
     open(k_casting);
     RegionOptions options;

@@ -64,7 +64,7 @@ InspectionFeature::InspectionFeature(Workbench& bench)
     });
 }
 
-void InspectionFeature::inspect(const DetectionOptions& options) {
+void InspectionFeature::inspectAgain(const DetectionOptions& options, std::vector<HandDecision> by_hand) {
     if (!bench_.documents()->hasDocument()) return;
     gather_.cancel();
     panel_->setRunning(true);
@@ -73,12 +73,17 @@ void InspectionFeature::inspect(const DetectionOptions& options) {
         [volume = bench_.documents()->document().volume, options](const JobContext& job) {
             return std::make_shared<const PartAnalysis>(analyse_part(volume, options, job));
         },
-        [this](Outcome<Analysis> outcome) {
+        [this, by_hand = std::move(by_hand)](Outcome<Analysis> outcome) {
             panel_->setRunning(false);
-            if (const Error* error = std::get_if<Error>(&outcome))
+            if (const Error* error = std::get_if<Error>(&outcome)) {
                 bench_.report(*error);
-            else
-                bench_.documents()->setInspection(std::get<0>(outcome));
+            } else {
+                const Analysis& found = std::get<0>(outcome);
+                bench_.documents()->setInspection(found);
+                for (const HandDecision& decision : by_hand)
+                    if (decision.defect >= 1 && decision.defect <= found->defects.size())
+                        panel_->decide(decision.defect, decision.accepted, QString::fromStdString(decision.reason));
+            }
             Q_EMIT finished();
         });
 }

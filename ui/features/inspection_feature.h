@@ -16,7 +16,10 @@ public:
 
     InspectionPanel* panel() const { return panel_; }
     QDockWidget* dock() const { return dock_; }
-    void inspect(const DetectionOptions& options);
+    void inspect(const DetectionOptions& options) { inspectAgain(options, {}); }
+    /// As an inspection with these options was decided on by hand before. The decisions name its defects by number, so
+    /// they are for this inspection alone: a newer one drops them.
+    void inspectAgain(const DetectionOptions& options, std::vector<HandDecision> by_hand);
     void cancel();
     /// Writes the report of the open part, with the panel's criteria and decisions, to a new folder.
     void writeReport(const QString& folder);

@@ -42,7 +42,7 @@ RegionsFeature::RegionsFeature(Workbench& bench)
     });
 }
 
-void RegionsFeature::compute() {
+void RegionsFeature::computeThen(std::function<void()> found) {
     if (!bench_.documents()->hasDocument()) return;
     panel_->setRunning(true);
     find_.start(
@@ -50,12 +50,14 @@ void RegionsFeature::compute() {
         [volume = bench_.documents()->document().volume, options = panel_->options()](const JobContext& job) {
             return std::make_shared<const RegionTable>(find_regions(volume, options, job));
         },
-        [this](Outcome<std::shared_ptr<const RegionTable>> outcome) {
+        [this, found = std::move(found)](Outcome<std::shared_ptr<const RegionTable>> outcome) {
             panel_->setRunning(false);
-            if (const Error* error = std::get_if<Error>(&outcome))
+            if (const Error* error = std::get_if<Error>(&outcome)) {
                 bench_.report(*error);
-            else
+            } else {
                 bench_.documents()->setRegions(std::get<0>(outcome));
+                if (found) found();
+            }
             Q_EMIT finished();
         });
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "ui/panels/regions_panel.h"
 #include "ui/task.h"
 #include "ui/workbench.h"
@@ -14,7 +16,9 @@ public:
 
     RegionsPanel* panel() const { return panel_; }
     QDockWidget* dock() const { return dock_; }
-    void compute();
+    void compute() { computeThen(nullptr); }
+    /// @param found  what is to be done with the regions found this time; dropped when a newer search begins
+    void computeThen(std::function<void()> found);
     void cancel();
     /// Marks a region of the table as choosing its row does.
     void select(std::uint32_t id);

@@ -274,33 +274,18 @@ void SessionFeature::restoreInspection(const Session& session) {
     if (session.criteria.empty()) return;
     const Criteria criteria = parse_criteria(session.criteria, session.input);
     inspection_.panel()->setCriteria(criteria);
-    connect(
-        &inspection_, &InspectionFeature::finished, this,
-        [this, decisions = session.decisions] {
-            const auto& found = bench_.documents()->document().inspection;
-            if (!found) return;
-            for (const HandDecision& decision : decisions)
-                if (decision.defect >= 1 && decision.defect <= found->defects.size())
-                    inspection_.panel()->decide(decision.defect, decision.accepted,
-                                                QString::fromStdString(decision.reason));
-        },
-        Qt::SingleShotConnection);
-    inspection_.inspect(criteria.detection);
+    inspection_.inspectAgain(criteria.detection, session.decisions);
 }
 
 void SessionFeature::restoreRegions(const Session& session) {
     if (!session.regions) return;
     regions_.panel()->setOptions(session.regions->options);
     if (!session.regions->computed) return;
-    connect(
-        &regions_, &RegionsFeature::finished, this,
-        [this, selected = session.regions->selected, cursor = session.cursor_mm] {
-            if (selected == 0) return;
-            regions_.select(selected);
-            bench_.documents()->setCursor(cursor);  // choosing a row goes to its region
-        },
-        Qt::SingleShotConnection);
-    regions_.compute();
+    regions_.computeThen([this, selected = session.regions->selected, cursor = session.cursor_mm] {
+        if (selected == 0) return;
+        regions_.select(selected);
+        bench_.documents()->setCursor(cursor);  // choosing a row goes to its region
+    });
 }
 
 void SessionFeature::autosave() {
