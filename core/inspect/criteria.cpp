@@ -142,8 +142,10 @@ private:
     }
 
     void read_method(const Json& root, DetectionOptions& options) const {
-        // A value given is meant as it stands, unless the surface is asked to be followed.
-        if (options.void_below || options.inclusion_above || options.material) options.method = ThresholdMethod::fixed;
+        // A value given is meant as it stands, unless the surface is asked to be followed. One of inclusions says
+        // nothing of voids that are looked for too.
+        if (options.void_below || options.material || (options.inclusion_above && !options.voids))
+            options.method = ThresholdMethod::fixed;
         if (root.contains("method")) {
             const Json& value = root["method"];
             try {
@@ -151,7 +153,8 @@ private:
             } catch (const Error&) {
                 refuse("method", "must be \"local\", \"otsu\" or \"fixed\"");
             }
-            if (options.method == ThresholdMethod::fixed && !options.material && !options.void_below)
+            const bool given = options.material || options.void_below || (options.inclusion_above && !options.voids);
+            if (options.method == ThresholdMethod::fixed && !given)
                 refuse("method", "is \"fixed\", but neither material nor defects.void.below gives a value");
         }
         if (!root.contains("connectivity")) return;

@@ -19,9 +19,10 @@ bool same_grid(const GridGeometry& a, const GridGeometry& b) {
     // The farthest voxel centre decides: what spacing and direction differ by adds up there.
     const double tolerance = 0.01 * b.smallest_spacing_mm();
     const glm::dvec3 last(a.size - 1);
-    return glm::length(a.voxel_to_mm({0, 0, 0}) - b.voxel_to_mm({0, 0, 0})) <= tolerance &&
-           glm::length(a.voxel_to_mm(last) - b.voxel_to_mm(last)) <= tolerance &&
-           glm::length(a.voxel_to_mm({last.x, 0, 0}) - b.voxel_to_mm({last.x, 0, 0})) <= tolerance;
+    const glm::dvec3 ends[] = {{0, 0, 0}, {last.x, 0, 0}, {0, last.y, 0}, {0, 0, last.z}, last};
+    return std::all_of(std::begin(ends), std::end(ends), [&](const glm::dvec3& voxel) {
+        return glm::length(a.voxel_to_mm(voxel) - b.voxel_to_mm(voxel)) <= tolerance;
+    });
 }
 
 }  // namespace

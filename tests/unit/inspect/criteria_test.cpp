@@ -9,6 +9,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/io/volume_writer.h"
+#include "core/volume/samples.h"
 #include "tests/unit/inspect/hand_made_part.h"
 
 namespace lacuna {
@@ -76,6 +77,21 @@ INSTANTIATE_TEST_SUITE_P(
         BadCriteria{"cut_short", "{\"limits\": {\n \"count\": ", "line 2"}, BadCriteria{"a_list", "[]", "object"},
         BadCriteria{"nothing", "", "JSON"}),
     [](const auto& row) { return std::string(row.param.name); });
+
+/// docs/inspection.md's own example.
+TEST(Criteria, AValueOfInclusionsLeavesVoidsToBeFound) {
+    const Criteria c = parse_criteria(R"({"defects": {"void": "auto", "inclusion": {"above": 210}}})", "c.json");
+    EXPECT_EQ(c.detection.method, ThresholdMethod::local);
+    SampleOptions options;
+    options.size = 32;
+    const Volume volume = make_sample("casting", options).volume;
+    EXPECT_TRUE(analyse_part(volume, c.detection).part.has_material);
+    const Criteria alone = parse_criteria(R"({"defects": {"inclusion": {"above": 210}}})", "c.json");
+    EXPECT_EQ(alone.detection.method, ThresholdMethod::fixed);
+    EXPECT_TRUE(analyse_part(volume, alone.detection).part.has_material);
+    const Criteria said = parse_criteria(R"({"defects": {"inclusion": {"above": 210}}, "method": "fixed"})", "c.json");
+    EXPECT_EQ(said.detection.method, ThresholdMethod::fixed);
+}
 
 TEST(Criteria, MeanWhatTheySay) {
     const Criteria c =
@@ -191,6 +207,14 @@ TEST(ZoneMask, ReadsLabelsOnThePartsGridOnly) {
     GridGeometry moved = g;
     moved.origin.x += 0.3;
     EXPECT_THROW(ZoneMask(zone, moved), Error);
+
+    const GridGeometry cube = grid_of({3, 3, 3});  // of whose axes two may be swapped and its ends stay where they are
+    LabelVolume cubic{cube, std::make_shared<std::vector<std::uint32_t>>(27, 7u)};
+    write_labels(cubic, folder / "zones.nrrd");
+    EXPECT_NO_THROW(ZoneMask(zone, cube));
+    GridGeometry swapped = cube;
+    swapped.direction = glm::dmat3(cube.direction[0], cube.direction[2], cube.direction[1]);
+    EXPECT_THROW(ZoneMask(zone, swapped), Error);
     std::filesystem::remove_all(folder);
 }
 
