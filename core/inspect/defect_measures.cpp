@@ -283,9 +283,9 @@ void measure_by_values(const Volume& volume, const LabelVolume& labels, const Ma
                            {area[0], area[1], area[2], defect.surface_crofton_mm2}, 0.03 * smooth_area);
     defect.area_mm2.hi += blunted_area_mm2(volume_mm3, area, s.sigma_mm, h);
     set_shape(defect);
-    for (const glm::dvec3& v : walk.meshes[0].vertices) points.push_back({glm::vec3(v), defect.id});
+    for (const glm::dvec3& v : walk.meshes[0].vertices) points.push_back({glm::vec3(v - geometry.origin), defect.id});
     if (walk.meshes[0].vertices.empty())  // too faint for a surface at the local level: its centre stands for it
-        points.push_back({glm::vec3(defect.centroid_mm), defect.id});
+        points.push_back({glm::vec3(defect.centroid_mm - geometry.origin), defect.id});
 }
 
 double expected_by_chance(std::int64_t voxels, double depth, double noise, double trials) {

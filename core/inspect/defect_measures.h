@@ -22,8 +22,8 @@ struct Surroundings {
 int boundary_layers(const Surroundings& s, const GridGeometry& geometry);
 
 /// Fills what follows from the grey values round defect.id (its voxel measures stand already): threshold, volumes,
-/// areas, diameters with their intervals, and grey statistics without NaN. Adds its surface's vertices to `points`,
-/// tagged with its id.
+/// areas, diameters with their intervals, and grey statistics without NaN. Adds its surface's vertices to `points`
+/// in mm from the volume's first voxel, tagged with its id.
 void measure_by_values(const Volume& volume, const LabelVolume& labels, const MaskVolume& part, const Surroundings& s,
                        Defect& defect, std::vector<PointTree::Point>& points, const JobContext& job);
 

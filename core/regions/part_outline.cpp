@@ -137,7 +137,7 @@ void surface_points(const Volume& volume, const MaskVolume& part, double thresho
     const auto add = [&](const glm::ivec3& p, int axis, double offset) {
         glm::dvec3 at(p);
         at[axis] += offset;
-        points.push_back({glm::vec3(g.voxel_to_mm(at)), 0});
+        points.push_back({glm::vec3(g.voxel_to_mm(at) - g.origin), 0});
     };
     for (int z = begin; z < end; ++z)
         for (int y = 0; y < g.size.y; ++y)

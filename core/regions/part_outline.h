@@ -55,8 +55,8 @@ PartMask mask_of(const PartRuns& part, const GridGeometry& geometry);
 
 /// Points of the part's outer surface, for nearest-neighbour queries: between each voxel of the part and its neighbour
 /// outside, where the values pass the threshold, half way where they do not; where the frame cuts the part, the faces
-/// of the voxels there. At most a sixteenth of the volume's voxels (100 000 at least): beyond that every n-th stands
-/// for its neighbours.
+/// of the voxels there; in mm from the first voxel, so that single precision does. At most a sixteenth of the volume's
+/// voxels (100 000 at least): beyond that every n-th stands for its neighbours.
 std::vector<PointTree::Point> outer_surface(const Volume& volume, const MaskVolume& part, double threshold,
                                             const JobContext& job);
 

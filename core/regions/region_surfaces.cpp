@@ -186,7 +186,7 @@ void measure_surface(const Setting& set, RegionCharacteristics& row, Points& poi
             area += area_mm2(done);
             for (const glm::dvec3& v : done.vertices) {
                 hull.add(v);
-                if (met++ % set.stride == 0) points.push_back({glm::vec3(v), row.id});
+                if (met++ % set.stride == 0) points.push_back({glm::vec3(v - g.origin), row.id});
             }
         },
         JobContext{set.job.stop, nullptr});

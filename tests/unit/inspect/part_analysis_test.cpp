@@ -287,6 +287,24 @@ TEST(PartAnalysis, DistancesRunFromSurfaceToSurface) {
     }
 }
 
+TEST(PartAnalysis, DistancesKeepTheirDigitsFarFromTheOrigin) {
+    const Solid one = solid_ball({15, 24, 24}, 4), two = solid_ball({31, 24, 24}, 4);
+    Volume here = part_with([=](const glm::dvec3& p) { return one(p) || two(p); });
+    GridGeometry g = here.geometry();
+    g.spacing *= 0.01;
+    here = Volume(g, here.type(), here.buffer());
+    g.origin = {1e6, -1e6, 3e5};
+    const PartAnalysis a = analyse_part(here, {}), b = analyse_part(Volume(g, here.type(), here.buffer()), {});
+    ASSERT_EQ(a.defects.size(), 2u);
+    ASSERT_EQ(b.defects.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_NEAR(b.defects[i].gap_mm, a.defects[i].gap_mm, 1e-5);
+        EXPECT_NEAR(b.defects[i].surface_distance_mm.value, a.defects[i].surface_distance_mm.value, 1e-5);
+        EXPECT_NEAR(b.defects[i].volume_mm3.value, a.defects[i].volume_mm3.value, 1e-4 * a.defects[i].volume_mm3.value);
+        EXPECT_NEAR(b.defects[i].diameter_mm.value, a.defects[i].diameter_mm.value, 1e-5);
+    }
+}
+
 TEST(PartAnalysis, InclusionsAreTheBrightOnes) {
     const Solid gap = solid_ball({15, 24, 24}, 4), grain = solid_ball({31, 24, 24}, 4);
     Volume volume = part_with(gap);
@@ -381,6 +399,8 @@ TEST(PartAnalysis, ThinVolumesAndNanDoNotBreakIt) {
     const PartAnalysis a = analyse_part(picture, {});
     ASSERT_EQ(a.defects.size(), 1u);
     EXPECT_EQ(a.defects[0].voxels, 25);
+    EXPECT_FALSE(a.defects[0].touches_border);
+    EXPECT_NEAR(a.defects[0].surface_distance_mm.value, 7, 0.6);
 
     Volume holed = part_with(solid_ball(k_centre, 6));
     auto* v = reinterpret_cast<float*>(holed.buffer().data());

@@ -82,6 +82,26 @@ TEST(RegionSurfaces, MeasureBallsInABlock) {
     }
 }
 
+TEST(RegionSurfaces, KeepTheirDigitsFarFromTheOrigin) {
+    GridGeometry g = grid({32, 30, 28}, glm::dvec3(0.01));
+    RegionOptions options;
+    options.threshold = ValueRange{0, (k_air + k_metal) / 2};
+    Volume volume = block_with_balls(grid({32, 30, 28}), 5, {{{12, 15, 14}, 2}, {{19, 15, 14}, 2}}, 0.5);
+    std::vector<RegionTable> tables;
+    for (const glm::dvec3& origin : {glm::dvec3(0), glm::dvec3(1e6, -1e6, 3e5)}) {
+        g.origin = origin;
+        volume = Volume(g, volume.type(), volume.buffer());
+        tables.push_back(find_regions(volume, options));
+        measure_surfaces(volume, tables.back());
+    }
+    ASSERT_EQ(tables[0].rows.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(tables[1].rows[i].gap_mm, tables[0].rows[i].gap_mm, 1e-5);
+        EXPECT_NEAR(tables[1].rows[i].surface_distance_mm, tables[0].rows[i].surface_distance_mm, 1e-5);
+        EXPECT_NEAR(tables[1].rows[i].diameter_mm, tables[0].rows[i].diameter_mm, 1e-5);
+    }
+}
+
 TEST(RegionSurfaces, OfMaterialReachThePartsSurface) {
     const GridGeometry g = grid({32, 30, 28});
     RegionOptions options;
