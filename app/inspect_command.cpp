@@ -28,14 +28,10 @@ struct InspectWords {
 /// The command that makes the report again, without folder names: a report must not differ by where it was made.
 std::string replay_command(const InspectWords& words) {
     std::string text = "lacuna inspect " + shell_word(last_name(words.input.input)) + " --criteria " +
-                       shell_word(last_name(words.criteria)) + " --report REPORT";
+                       shell_word(last_name(words.criteria)) + " --report REPORT" + open_flags(words.input.open);
     const auto add = [&text](const char* flag, const std::string& value) {
         if (!value.empty()) text += fmt::format(" {} {}", flag, shell_word(value));
     };
-    add("--raw", words.input.open.raw);
-    add("--series", words.input.open.series);
-    add("--spacing", words.input.spacing_text);
-    if (words.input.open.keep_gaps) text += " --keep-gaps";
     for (const std::string& word : words.accept) add("--accept", word);
     for (const std::string& word : words.reject) add("--reject", word);
     if (words.worst) add("--worst", *words.worst);

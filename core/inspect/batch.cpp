@@ -13,6 +13,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/atomic_folder.h"
 #include "core/base/shell_word.h"
+#include "core/chart/svg_text.h"
 #include "core/inspect/batch_journal.h"
 #include "core/io/dicom_source.h"
 #include "core/render/engine.h"
@@ -115,6 +116,8 @@ private:
         BatchRow row{part.name, last_name(part.input), std::nullopt, planned.fault, "", {}};
         if (planned.fault.empty()) inspect_into(row, planned, part, engine);
         job_.check();
+        // As it reads back: file names may be in any encoding, the journal's JSON is UTF-8.
+        for (std::string* text : {&row.input, &row.reason}) *text = valid_utf8(*text);
         journal_.write(row);
         tell(planned, row.verdict ? PartState::done : PartState::broken, 1);
         return row;
@@ -133,8 +136,10 @@ private:
             InspectOptions inspect;
             inspect.input = part.input;
             inspect.software = options_.software;
-            inspect.replay = fmt::format("lacuna inspect {} --criteria criteria.json --report {}",
-                                         shell_word(last_name(part.input)), shell_word(part.name));
+            inspect.replay =
+                fmt::format("lacuna inspect {} --criteria criteria.json --report {}{}",
+                            shell_word(last_name(part.input)), shell_word(part.name), open_flags(options_.open));
+            if (options_.worst != InspectOptions().worst) inspect.replay += fmt::format(" --worst {}", options_.worst);
             inspect.worst = options_.worst;
             if (volume.dicom) inspect.source = find_dicom_source(part.input, options_.open, {job.stop, nullptr});
             report = inspect_part(volume, options_.criteria, masks, engine, inspect, job.part(0.2, 0.9));

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/base/atomic_file.h"
+#include "core/chart/svg_text.h"
 #include "core/inspect/batch.h"
 
 namespace lacuna {
@@ -12,24 +13,61 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Endings of files that are a volume by themselves, longest first; a later one yields to an earlier of the same stem
-/// (engine.mhd and engine.dat describe the same engine.raw).
-constexpr std::string_view k_endings[] = {".nii.gz", ".mhd", ".mha", ".nrrd", ".nhdr", ".nii", ".vgi", ".dat"};
+/// Endings of files that are a volume by themselves, longest first.
+constexpr std::string_view k_whole[] = {".nii.gz", ".mha", ".nrrd", ".nii"};
+/// Endings of headers; a later one yields to an earlier of the same stem (engine.mhd and engine.dat describe the same
+/// engine.raw).
+constexpr std::string_view k_headers[] = {".mhd", ".nhdr", ".vgi", ".dat"};
 
-std::string_view volume_ending(std::string_view name) {
-    for (const std::string_view ending : k_endings)
+/// The one of the endings that a file's name has; empty if none.
+template <std::size_t N>
+std::string_view ending_of(std::string_view name, const std::string_view (&endings)[N]) {
+    for (const std::string_view ending : endings)
         if (name.size() > ending.size() && name.ends_with(ending)) return ending;
     return {};
 }
 
-/// A name fit for a folder: letters, digits, dot, dash, underscore; never hidden.
+std::string_view volume_ending(std::string_view name) {
+    const std::string_view whole = ending_of(name, k_whole);
+    return whole.empty() ? ending_of(name, k_headers) : whole;
+}
+
+/// Where this folder is, or leads to, the reports' one and to nothing but series inspected: what a series must not take
+/// for a part of itself, the same before the reports' folder was made and after.
+bool leads_to_reports(const fs::path& folder, const fs::path& reports) {
+    std::error_code ec;
+    if (reports.empty()) return false;
+    if (fs::equivalent(folder, reports, ec)) return true;
+    fs::path inner = fs::weakly_canonical(reports, ec);
+    while (!ec && inner.has_relative_path()) {
+        const fs::path outer = inner.parent_path();
+        for (fs::directory_iterator at(outer, ec), end; !ec && at != end; at.increment(ec)) {
+            std::error_code ignored;
+            if (at->path() != inner && !fs::exists(at->path() / "series.json", ignored)) return false;
+        }
+        if (ec) return false;
+        if (fs::equivalent(folder, outer, ec)) return true;
+        inner = outer;
+    }
+    return false;
+}
+
+/// A name fit for a folder: letters, digits, dot, dash, underscore, all of it UTF-8; never hidden, and short enough for
+/// what is written beside it.
 std::string folder_name(const std::string& input) {
+    constexpr std::size_t k_longest = 160;
     std::string name = input;
     if (!input.starts_with("sample:")) {
         fs::path path(input);
         if (!path.has_filename()) path = path.parent_path();
         name = path.filename().string();
         name.resize(name.size() - volume_ending(name).size());
+    }
+    name = valid_utf8(name);
+    if (name.size() > k_longest) {
+        std::size_t end = k_longest;
+        while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xc0) == 0x80) --end;  // between two characters
+        name.resize(end);
     }
     for (char& c : name) {
         const bool fine = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
@@ -55,23 +93,26 @@ public:
     void add_folder(const fs::path& folder, const fs::path& leave_out) {
         std::error_code ec;
         std::vector<fs::path> found;
-        std::map<std::string, std::string_view> stems;  // of volume files, and the ending kept
+        std::map<std::string, std::string_view> stems;  // of headers, and the ending kept
         for (fs::directory_iterator at(folder, ec), end; !ec && at != end; at.increment(ec)) {
             const std::string name = at->path().filename().string();
             std::error_code ignored;
-            if (name.starts_with(".") || (!leave_out.empty() && fs::equivalent(at->path(), leave_out, ignored)))
-                continue;
+            if (name.starts_with(".")) continue;
             if (at->is_directory(ignored)) {
+                if (!leads_to_reports(at->path(), leave_out)) found.push_back(at->path());
+                continue;
+            }
+            if (!at->is_regular_file(ignored)) continue;
+            if (!ending_of(name, k_whole).empty()) {
                 found.push_back(at->path());
                 continue;
             }
-            const std::string_view ending = volume_ending(name);
-            if (ending.empty() || !at->is_regular_file(ignored)) continue;
+            const std::string_view ending = ending_of(name, k_headers);
+            if (ending.empty()) continue;
             std::string_view& kept = stems[name.substr(0, name.size() - ending.size())];
             const auto place = [](std::string_view e) {
-                return std::find(std::begin(k_endings), std::end(k_endings), e);
+                return std::find(std::begin(k_headers), std::end(k_headers), e);
             };
-            // Of two volume files of one stem both are parts, unless one is only a side-car of raw data.
             if (kept.empty() || place(ending) < place(kept)) kept = *place(ending);
         }
         if (ec) throw Error(Errc::io, "Cannot list the folder " + folder.string() + ": " + ec.message() + ".");
@@ -83,7 +124,10 @@ public:
     void add_list(const fs::path& file) {
         constexpr std::uintmax_t k_longest = 64 << 20;
         std::istringstream lines(read_file(file, k_longest));
-        for (std::string line; std::getline(lines, line);) {
+        constexpr std::string_view k_mark = "\xef\xbb\xbf";  // of UTF-8, which some editors begin a file with
+        bool first = true;
+        for (std::string line; std::getline(lines, line); first = false) {
+            if (first && line.starts_with(k_mark)) line.erase(0, k_mark.size());
             while (!line.empty() && (line.back() == '\r' || line.back() == ' ' || line.back() == '\t')) line.pop_back();
             line.erase(0, line.find_first_not_of(" \t"));
             if (line.empty() || line[0] == '#') continue;

@@ -1,6 +1,8 @@
 #include <filesystem>
 #include <memory>
 
+#include "core/base/number_text.h"
+#include "core/base/shell_word.h"
 #include "core/inspect/report.h"
 #include "core/io/volume_reader.h"
 
@@ -11,6 +13,16 @@ std::string last_name(const std::string& input) {
     std::filesystem::path path(input);
     if (!path.has_filename()) path = path.parent_path();
     return path.filename().string();
+}
+
+std::string open_flags(const OpenOptions& options) {
+    std::string flags;
+    if (!options.raw.empty()) flags += " --raw " + shell_word(options.raw);
+    if (!options.series.empty()) flags += " --series " + shell_word(options.series);
+    if (const auto& s = options.spacing_mm)
+        flags += " --spacing " + exact_number(s->x) + "," + exact_number(s->y) + "," + exact_number(s->z);
+    if (options.keep_gaps) flags += " --keep-gaps";
+    return flags;
 }
 
 namespace {

@@ -20,6 +20,7 @@ namespace lacuna {
 
 class Engine;
 struct DicomSource;
+struct OpenOptions;
 
 /// A picture of a report: pixels, and how far they can be trusted.
 struct ReportPicture {
@@ -75,6 +76,9 @@ struct InspectOptions {
 /// What a report calls its input: its last name, for folders differ from machine to machine and may name people; a
 /// sample's whole name.
 std::string last_name(const std::string& input);
+
+/// The flags of `lacuna inspect` that open an input in this way, each after a blank; empty where all is as usual.
+std::string open_flags(const OpenOptions& options);
 
 /// Measures, judges and draws a part.
 /// @param masks  of lay_zones(criteria, volume.geometry()): laid before, so that a bad zone costs no work

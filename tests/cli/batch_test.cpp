@@ -120,6 +120,22 @@ TEST_F(Series, ShardsMergedAreTheWhole) {
     EXPECT_NE(csv.find("porosity_percent_deviation"), std::string::npos);
 }
 
+TEST_F(Series, NamesInAnotherEncodingAreMergedAndReplayedWithTheirSpacing) {
+    write_part(folder_ / "parts" / "geh\xe4use", 1);
+    write_part(folder_ / "parts" / "deckel", 2);
+    std::ofstream(path("parts/kaputt\xff.mhd")) << "no header at all";
+    const std::vector<std::string> spaced{"--spacing", "0.1,0.2,0.5"};
+    EXPECT_EQ(lacuna(words("whole", spaced)).error_lines(), 0);
+    for (const char* shard : {"1/2", "2/2"})
+        EXPECT_EQ(lacuna(words("r", {"--shard", shard, "--spacing", "0.1,0.2,0.5"})).error_lines(), 0);
+    const Outcome merged = lacuna({"batch", "--merge", path("r")});
+    EXPECT_EQ(merged.error_lines(), 0) << merged.err;
+    EXPECT_EQ(bytes_of(folder_ / "r/summary.csv"), bytes_of(folder_ / "whole/summary.csv"));
+    const auto report = nlohmann::json::parse(bytes_of(folder_ / "r/geh_use/report.json"));
+    EXPECT_NE(report["replay"].get<std::string>().find(" --spacing 0.1,0.2,0.5"), std::string::npos);
+    EXPECT_NE(report["replay"].get<std::string>().find(" --worst 0"), std::string::npos);
+}
+
 TEST_F(Series, APartThatStandsOutIsMarked) {
     make_parts(9, false);
     // One part with three times the pores of any other.
