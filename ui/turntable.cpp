@@ -4,6 +4,8 @@
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
+#include <memory>
+#include <vector>
 
 #include "core/base/atomic_file.h"
 #include "core/io/image_writer.h"
@@ -28,17 +30,21 @@ Plan plan_of_turn(const Turntable& table, const std::vector<Camera>& views, Engi
     return choose_plan(engine, table.scene, budget, job.part(0.1, 1)).plan;
 }
 
+/// All the pictures appear at the end, or none.
 void draw_frames(const Turntable& table, const QString& stem, Engine& engine, const JobContext& job) {
     const std::vector<Camera> views = full_turn(table.scene.camera, table.frames);
     const Plan plan = plan_of_turn(table, views, engine, job.part(0, 0.1));
     const JobContext drawing = job.part(0.1, 1);
     Scene scene = table.scene;
+    std::vector<std::unique_ptr<AtomicFile>> files;
     for (int i = 0; i < table.frames; ++i) {
         scene.camera = views[std::size_t(i)];
         const Frame frame = engine.render(scene, plan, {job.stop, nullptr}).frame;
-        write_png(frame_name(stem, i, table.frames).toStdString(), frame.size, to_rgb8(frame, glm::dvec3(0)));
+        files.push_back(std::make_unique<AtomicFile>(frame_name(stem, i, table.frames).toStdString()));
+        write_png(files.back()->path(), frame.size, to_rgb8(frame, glm::dvec3(0)));
         drawing.checkpoint(std::size_t(i) + 1, std::size_t(table.frames));
     }
+    for (const auto& file : files) file->commit();
 }
 
 /// The pictures' pattern is put together by hand: QString::arg would take ffmpeg's %0 for its own.

@@ -8,6 +8,8 @@
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
+#include <mutex>
+#include <set>
 #include <system_error>
 
 #include "core/base/atomic_file.h"
@@ -32,19 +34,41 @@ bool exchange(const fs::path& a, const fs::path& b) {
     return ::syscall(SYS_renameat2, AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), k_exchange) == 0;
 }
 
+/// Temporary folders this process is filling: a second job with the same target would clear the first one's.
+struct BeingFilled {
+    std::mutex mutex;
+    std::set<fs::path> folders;
+};
+
+BeingFilled& being_filled() {
+    static BeingFilled all;
+    return all;
+}
+
+void no_longer_filled(const fs::path& folder) {
+    const std::lock_guard lock(being_filled().mutex);
+    being_filled().folders.erase(folder);
+}
+
 }  // namespace
 
 AtomicFolder::AtomicFolder(const fs::path& target, const std::string& mark) : target_(without_slash(target)) {
     check(target_, mark);
     temporary_ = parent_of(target_) / ("." + std::to_string(::getpid()) + suffix_of(target_));
+    const std::lock_guard lock(being_filled().mutex);
+    if (being_filled().folders.contains(temporary_))
+        throw Error(Errc::io, "Cannot write " + target_.string() +
+                                  ": it is being written already; wait for that, or name another folder.");
     std::error_code ec;
     fs::remove_all(temporary_, ec);  // of a process of the same number that was killed
     if (!fs::create_directory(temporary_, ec)) throw_cannot_write(target_, ec ? ec.value() : EEXIST);
+    being_filled().folders.insert(temporary_);
 }
 
 AtomicFolder::~AtomicFolder() {
     std::error_code ec;
     if (!committed_) fs::remove_all(temporary_, ec);
+    if (!committed_) no_longer_filled(temporary_);
 }
 
 void AtomicFolder::check(const fs::path& wanted, const std::string& mark) {
@@ -69,6 +93,7 @@ void AtomicFolder::commit() {
     if (replaces && exchange(temporary_, target_)) {
         committed_ = true;
         fs::remove_all(temporary_, ec);
+        no_longer_filled(temporary_);
         return;
     }
     const fs::path old = temporary_.string() + ".old";
@@ -83,6 +108,7 @@ void AtomicFolder::commit() {
         throw_cannot_write(target_, ec.value());
     }
     committed_ = true;
+    no_longer_filled(temporary_);
     if (replaces) fs::remove_all(old, ec);
 }
 

@@ -115,6 +115,30 @@ TEST_F(ExportTest, SurfaceAndVolumeAreWritten) {
     EXPECT_EQ(voxel_sha256(open_volume(path("volume.nrrd").toStdString())), voxel_sha256(document().volume));
 }
 
+TEST_F(ExportTest, OneExportDoesNotEndAnother) {
+    QSignalSpy written(exports(), &ExportFeature::written);
+    exports()->saveVolume(path("volume.nii.gz"));
+    exports()->savePicture(path("a.png"), false);
+    exports()->saveMesh(path("surface.stl"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 3; }, 10000)) << written.count();
+    for (const char* name : {"volume.nii.gz", "a.png", "surface.stl"}) EXPECT_TRUE(QFile::exists(path(name))) << name;
+}
+
+TEST_F(ExportTest, ATurntableThatIsCancelledLeavesNothing) {
+    QFile before(path("turn-000.png"));
+    ASSERT_TRUE(before.open(QIODevice::WriteOnly) && before.write("mine") == 4);
+    before.close();
+    TaskList* tasks = window->bench()->tasks();
+    QObject::connect(tasks, &TaskList::changed, window.get(), [tasks] {
+        if (!tasks->rows().empty() && tasks->rows()[0].share > 0.3) tasks->cancelAll();
+    });
+    exports()->saveTurntable(path("turn.png"), 24);
+    ASSERT_TRUE(QTest::qWaitFor([tasks] { return tasks->rows().empty(); }, k_patience_ms));
+    window.reset();  // waits for the work to notice
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), QStringList{QStringLiteral("turn-000.png")});
+    EXPECT_EQ(QFileInfo(path("turn-000.png")).size(), 4);
+}
+
 TEST_F(ExportTest, TheClipboardGetsTheView) {
     exports()->copyPicture();
     EXPECT_FALSE(QGuiApplication::clipboard()->image().isNull());

@@ -34,7 +34,7 @@ QByteArray encoded(const QImage& image, const QString& file) {
 
 }  // namespace
 
-ExportFeature::ExportFeature(Workbench& bench) : QObject(&bench), bench_(bench), job_(this, bench.tasks()) {
+ExportFeature::ExportFeature(Workbench& bench) : QObject(&bench), bench_(bench), jobs_(this, bench.tasks()) {
     buildMenu();
 }
 
@@ -138,7 +138,7 @@ void ExportFeature::saveVolume(const QString& file) {
 }
 
 void ExportFeature::run(const QString& name, const QString& file, std::function<void(const JobContext&)> work) {
-    job_.start(
+    jobs_.start(
         name,
         [work = std::move(work), file](const JobContext& job) {
             work(job);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/task.h"
+#include "ui/tasks.h"
 #include "ui/workbench.h"
 
 namespace lacuna::ui {
@@ -36,7 +36,7 @@ private:
     void run(const QString& name, const QString& file, std::function<void(const JobContext&)> work);
 
     Workbench& bench_;
-    Task<QString> job_;
+    Tasks<QString> jobs_;
 };
 
 }  // namespace lacuna::ui

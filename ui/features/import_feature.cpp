@@ -8,7 +8,7 @@
 
 namespace lacuna::ui {
 
-ImportFeature::ImportFeature(Workbench& bench) : QObject(&bench), bench_(bench), export_(this, bench.tasks()) {
+ImportFeature::ImportFeature(Workbench& bench) : QObject(&bench), bench_(bench), exports_(this, bench.tasks()) {
     QMenu* file = bench.menu(Workbench::Menu::file);
     bench.addAlways(file, tr("&DICOM browser…"), QKeySequence(QStringLiteral("Ctrl+D")), this, &ImportFeature::browse);
     bench.addAlways(file, tr("&Import a raw volume…"), QKeySequence(QStringLiteral("Ctrl+Shift+I")), this,
@@ -67,7 +67,7 @@ void ImportFeature::anonymise(const QString& folder) {
     const Document& document = bench_.documents()->document();
     AnonymiseOptions options;
     options.software = "Lacuna " LACUNA_VERSION;
-    export_.start(
+    exports_.start(
         tr("Anonymising"),
         [input = document.input, open = document.options, target = folder.toStdString(),
          options](const JobContext& job) {

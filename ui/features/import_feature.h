@@ -4,6 +4,7 @@
 
 #include "ui/dicom_browser.h"
 #include "ui/raw_import_dialog.h"
+#include "ui/tasks.h"
 #include "ui/workbench.h"
 
 namespace lacuna::ui {
@@ -32,7 +33,7 @@ Q_SIGNALS:
 private:
     Workbench& bench_;
     QPointer<DicomBrowser> browser_;
-    Task<QString> export_;
+    Tasks<QString> exports_;
 };
 
 }  // namespace lacuna::ui

@@ -21,7 +21,7 @@ MeasureFeature::MeasureFeature(Workbench& bench)
       tool_(new SliceMeasure(this)),
       panel_(new MeasurePanel(bench.window())),
       dock_(bench.addDock(QStringLiteral("measurements"), tr("Measurements"), panel_, Qt::BottomDockWidgetArea)),
-      write_(this, bench.tasks()) {
+      writes_(this, bench.tasks()) {
     bench.needDocument(panel_);
     buildMenu();
     for (SliceView* slice : bench.views()->slices()) {
@@ -164,7 +164,7 @@ void MeasureFeature::exportTable() {
                                                 QStringLiteral("measurements.csv"), tr("Tables (*.csv)"));
     if (file.isEmpty()) return;
     const Document& document = bench_.documents()->document();
-    write_.start(
+    writes_.start(
         tr("Writing the measurements"),
         [volume = document.volume, all = document.settings.measurements, file](const JobContext& job) {
             write_file(file.toStdString(), measurements_to_csv(volume, all, job));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/panels/measure_panel.h"
-#include "ui/task.h"
+#include "ui/tasks.h"
 #include "ui/views/slice_measure.h"
 #include "ui/workbench.h"
 
@@ -39,7 +39,7 @@ private:
     QDockWidget* dock_;
     QActionGroup* kinds_ = nullptr;
     QAction* remove_ = nullptr;
-    Task<QString> write_;
+    Tasks<QString> writes_;
 };
 
 }  // namespace lacuna::ui

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "core/base/atomic_folder.h"
 #include "core/base/error.h"
 
 namespace lacuna {
@@ -69,6 +70,18 @@ TEST_F(AtomicFileTest, CommitOfNothingWrittenFails) {
     });
     EXPECT_EQ(e.code(), Errc::io);
     EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(AtomicFileTest, TwoJobsDoNotFillTheSameFolder) {
+    AtomicFolder first(folder_ / "out");
+    std::ofstream(first.path() / "a.txt") << "kept";
+    EXPECT_EQ(error_of([this] { AtomicFolder second(folder_ / "out"); }).code(), Errc::io);
+    first.commit();
+    EXPECT_EQ(read_file(folder_ / "out" / "a.txt"), "kept");
+    fs::remove_all(folder_ / "out");
+    AtomicFolder after(folder_ / "out");  // the first is through
+    after.commit();
+    EXPECT_TRUE(fs::is_directory(folder_ / "out"));
 }
 
 TEST_F(AtomicFileTest, MissingFolderIsNamed) {
