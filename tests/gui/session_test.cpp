@@ -76,6 +76,72 @@ TEST_F(SessionTest, BringsEverythingBackInAnotherWindow) {
     EXPECT_FALSE(window->documents()->history().can_undo());
 }
 
+TEST_F(SessionTest, ASaveThatEndsAfterOtherDataWasOpenedIsNotThatDatasSession) {
+    open(k_casting);
+    changeThings();
+    const Document other = make_document("sample:spheres@24", open_volume("sample:spheres@24"));
+    const QString file = folder.filePath(QStringLiteral("a.lacuna"));
+    QSignalSpy saved(session(), &SessionFeature::saved);
+    session()->saveTo(file);
+    window->documents()->open(other);
+    window->bench()->edit(QStringLiteral("Isovalue"), [](ViewSettings& s) { s.iso = 99; });
+    ASSERT_TRUE(saved.count() > 0 || saved.wait(k_patience_ms));
+    EXPECT_EQ(load_session(file.toStdString()).input, k_casting.toStdString());
+    QVariantMap state;
+    Q_EMIT window->bench()->stateWanted(state);
+    EXPECT_EQ(state[QStringLiteral("session/file")].toString(), QString())
+        << "Save would write over the other's session";
+    EXPECT_TRUE(window->isWindowModified());
+}
+
+TEST_F(SessionTest, WhatChangesDuringASaveIsNotSaved) {
+    open(k_casting);
+    QSignalSpy saved(session(), &SessionFeature::saved);
+    session()->saveTo(folder.filePath(QStringLiteral("a.lacuna")));
+    changeThings();
+    ASSERT_TRUE(saved.wait(k_patience_ms));
+    EXPECT_TRUE(window->isWindowModified());
+}
+
+TEST_F(SessionTest, ClosingTheWindowDoesNotLoseASave) {
+    open(k_casting);
+    // Large enough that its voxels' hash, which is saved too, is not there at once.
+    window->documents()->open(make_document("sample:spheres@400", open_volume("sample:spheres@400")));
+    changeThings();
+    const QString file = folder.filePath(QStringLiteral("a.lacuna"));
+    session()->autosave();
+    session()->saveTo(file);
+    window->close();
+    window.reset();
+    ASSERT_TRUE(QFile::exists(file));
+    EXPECT_EQ(load_session(file.toStdString()).settings.iso, 1234.5);
+    EXPECT_TRUE(SessionFeature::autosaveFolder().entryList({QStringLiteral("autosave-*.lacuna")}).isEmpty());
+}
+
+TEST_F(SessionTest, IsNotShownOnDataThatWasOpenedOtherwiseMeanwhile) {
+    const QString data = writeData(10);
+    open(data);
+    changeThings();
+    const QString file = folder.filePath(QStringLiteral("a.lacuna"));
+    save(file);
+    anotherWindow();
+    // The same file with a spacing given by hand: as another series of the same folder would be.
+    QObject::connect(
+        window->loader(), &LoadController::started, window.get(),
+        [&] {
+            OpenOptions options;
+            options.spacing_mm = glm::dvec3(2);
+            window->loader()->open(data, options);
+        },
+        Qt::SingleShotConnection);
+    QSignalSpy finished(window->loader(), &LoadController::finished);
+    session()->openFile(file);
+    ASSERT_TRUE(finished.wait(k_patience_ms));
+    ASSERT_TRUE(window->documents()->hasDocument());
+    EXPECT_EQ(document().volume.geometry().spacing, glm::dvec3(2));
+    EXPECT_NE(document().settings.iso, 1234.5);
+}
+
 TEST_F(SessionTest, BringsAnInspectionAndItsDecisionsBack) {
     open(k_casting);
     QSignalSpy inspected(window->inspection(), &InspectionFeature::finished);

@@ -5,7 +5,10 @@
 #include <QThread>
 #include <QUuid>
 #include <cstdlib>
+#include <tuple>
+#include <utility>
 
+#include "core/base/log.h"
 #include "ui/file_choice.h"
 #include "ui/preferences.h"
 #include "ui/tool_bar.h"
@@ -33,6 +36,10 @@ void keep_what_lives() {
 
 QString session_filter() { return SessionFeature::tr("Sessions (*.lacuna)"); }
 
+bool same(const OpenOptions& a, const OpenOptions& b) {
+    return std::tie(a.raw, a.series, a.keep_gaps, a.spacing_mm) == std::tie(b.raw, b.series, b.keep_gaps, b.spacing_mm);
+}
+
 bool data_exists(const Session& session) {
     return session.input.starts_with("sample:") || QFileInfo::exists(QString::fromStdString(session.input));
 }
@@ -57,7 +64,7 @@ SessionFeature::SessionFeature(Workbench& bench, InspectionFeature& inspection, 
       regions_(regions),
       read_(this),
       hash_(this),
-      write_(this),
+      write_(std::in_place, this),
       save_(this, bench.tasks()) {
     buildMenu();
     const QString name = QStringLiteral("autosave-") + QUuid::createUuid().toString(QUuid::WithoutBraces);
@@ -86,6 +93,7 @@ SessionFeature::SessionFeature(Workbench& bench, InspectionFeature& inspection, 
     connect(inspection.panel(), &InspectionPanel::decided, this, &SessionFeature::changed);
     connect(bench.loader(), &LoadController::failed, this, [this] { pending_.reset(); });
     connect(bench.loader(), &LoadController::cancelled, this, [this] { pending_.reset(); });
+    connect(bench.loader(), &LoadController::choiceNeeded, this, [this] { choice_asked_ = true; });
     connect(&bench, &Workbench::stateWanted, this, [this](QVariantMap& state) {
         state[QStringLiteral("session/file")] = file_;
         state[QStringLiteral("session/changed")] = bench_.window()->isWindowModified();
@@ -111,7 +119,16 @@ void SessionFeature::keepNow() {
 }
 
 void SessionFeature::finish() {
-    write_.cancel();
+    write_.reset();  // one that is being written would come after what follows
+    if (saving_) {
+        const auto [session, file] = *std::exchange(saving_, std::nullopt);
+        save_.cancel();
+        try {
+            save_session(session, file.toStdString());
+        } catch (const Error&) {  // whose sentence names the file, and that may be a patient's name
+            log(LogLevel::error, "The session could not be saved while the window closed.");
+        }
+    }
     keepNow();
     if (bench_.documents()->hasDocument()) keepAsLast();
 }
@@ -140,6 +157,7 @@ void SessionFeature::moved() {
 
 void SessionFeature::changed() {
     moved();
+    ++changes_;
     bench_.window()->setWindowModified(true);
 }
 
@@ -172,19 +190,26 @@ Session SessionFeature::current() const {
 
 void SessionFeature::saveTo(const QString& file) {
     if (!bench_.documents()->hasDocument()) return;
+    saving_.emplace(current(), file);
     save_.start(
         tr("Saving the session"),
-        [session = current(), volume = bench_.documents()->document().volume, file](const JobContext& job) mutable {
+        [session = saving_->first, volume = bench_.documents()->document().volume,
+         file](const JobContext& job) mutable {
             if (session.sha256.empty()) session.sha256 = voxel_sha256(volume, job);
             save_session(session, file.toStdString());
             return file;
         },
-        [this](Outcome<QString> outcome) {
+        [this, opened = opened_, changes = changes_](Outcome<QString> outcome) {
+            saving_.reset();
             if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
-            file_ = std::get<0>(outcome);
-            bench_.window()->setWindowModified(false);
-            bench_.messages()->showNotice(tr("The session is saved in %1.").arg(file_));
-            Q_EMIT saved(file_);
+            const QString& written = std::get<0>(outcome);
+            // Other data may have been opened since, and things been changed: neither is what was saved.
+            if (opened == opened_) {
+                file_ = written;
+                if (changes == changes_) bench_.window()->setWindowModified(false);
+            }
+            bench_.messages()->showNotice(tr("The session is saved in %1.").arg(written));
+            Q_EMIT saved(written);
         });
 }
 
@@ -209,6 +234,7 @@ void SessionFeature::start(Session session, const QString& file) {
     const QString input = QString::fromStdString(session.input);
     const OpenOptions options = session.options;
     pending_ = std::move(session);
+    choice_asked_ = false;
     bench_.loader()->open(input, options);
 }
 
@@ -230,12 +256,13 @@ void SessionFeature::askForData(Session session, const QString& file) {
 
 void SessionFeature::documentOpened() {
     keepAsLast();
+    ++opened_;
     hash_.cancel();
     sha256_.clear();
     file_.clear();
     const Document& document = bench_.documents()->document();
     std::string expected;
-    if (pending_ && pending_->input == document.input) {
+    if (pending_ && pending_->input == document.input && (choice_asked_ || same(pending_->options, document.options))) {
         const Session session = *std::exchange(pending_, std::nullopt);
         try {
             Document shown = document;
@@ -289,10 +316,10 @@ void SessionFeature::restoreRegions(const Session& session) {
 }
 
 void SessionFeature::autosave() {
-    if (!dirty_ || write_.running() || !bench_.documents()->hasDocument()) return;
+    if (!dirty_ || !write_ || write_->running() || !bench_.documents()->hasDocument()) return;
     dirty_ = false;
     since_autosave_.restart();
-    write_.start(
+    write_->start(
         [session = current(), file = autosave_file_](const JobContext&) {
             save_session(session, file.toStdString());
             return true;

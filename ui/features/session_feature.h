@@ -65,9 +65,14 @@ private:
     RegionsFeature& regions_;
     std::optional<Session> pending_;  ///< waits for its data
     QString pending_file_;
+    /// The load was asked which of several volumes is meant: the answer is not in the session.
+    bool choice_asked_ = false;
     QString file_;        ///< where the open session was saved or came from; empty: nowhere yet
     std::string sha256_;  ///< of the open volume; empty: not known yet
     bool dirty_ = false;
+    int opened_ = 0, changes_ = 0;  ///< documents so far; changes that are asked about
+    /// What save_ is about to write, so that the end of the window does not lose it.
+    std::optional<std::pair<Session, QString>> saving_;
     QTimer autosave_timer_;
     QElapsedTimer since_autosave_, since_change_;
     QString autosave_file_;
@@ -78,7 +83,7 @@ private:
     };
     LatestJob<Found> read_;
     LatestJob<std::string> hash_;
-    LatestJob<bool> write_;
+    std::optional<LatestJob<bool>> write_;  ///< until finish()
     Task<QString> save_;
 };
 
