@@ -115,10 +115,7 @@ QWidget* PacsDialog::makeServerRow() {
     connect(edit_, &QPushButton::clicked, this, [this] { editServer(false); });
     connect(remove_, &QPushButton::clicked, this, &PacsDialog::removeServer);
     connect(test_, &QPushButton::clicked, this, &PacsDialog::test);
-    connect(server_, &QComboBox::currentIndexChanged, this, [this] {
-        results_->clear();
-        showEnabled();
-    });
+    connect(server_, &QComboBox::currentIndexChanged, this, &PacsDialog::forgetResults);
     return box;
 }
 
@@ -157,6 +154,15 @@ void PacsDialog::setServers(const std::vector<PacsServer>& servers) {
     showServers(0);
 }
 
+/// What one server answered, or is still to answer, is not what another has.
+void PacsDialog::forgetResults() {
+    asked_.clear();  // first: a cancelled question goes on to the next
+    find_.cancel();
+    series_.cancel();
+    results_->clear();
+    showEnabled();
+}
+
 void PacsDialog::showServers(int row) {
     {
         const QSignalBlocker blocker(server_);
@@ -167,8 +173,8 @@ void PacsDialog::showServers(int row) {
                                  .arg(server.port));
         server_->setCurrentIndex(std::min(row, int(servers_.size()) - 1));
     }
+    forgetResults();
     status_->setText(servers_.empty() ? tr("Add a server first.") : QString());
-    showEnabled();
 }
 
 const PacsServer* PacsDialog::current() const {
@@ -199,9 +205,11 @@ void PacsDialog::removeServer() {
 
 void PacsDialog::showEnabled() {
     const bool server = current() != nullptr;
-    for (QPushButton* button : {edit_, remove_, test_, search_, send_})
+    for (QPushButton* button : {edit_, remove_, test_, search_})
         if (button) button->setEnabled(server);
-    if (retrieve_) retrieve_->setEnabled(server && results_->currentItem());
+    // A second one would take the place of the first, which would end without a word.
+    if (send_) send_->setEnabled(server && !store_.running());
+    if (retrieve_) retrieve_->setEnabled(server && results_->currentItem() && !get_.running());
 }
 
 template <class T>
@@ -236,7 +244,7 @@ void PacsDialog::search() {
     query.modality = modality_->currentData().toString().toStdString();
     if (const int days = since_->currentData().toInt(); days >= 0)
         query.date_from = QDate::currentDate().addDays(-days).toString(QStringLiteral("yyyyMMdd")).toStdString();
-    results_->clear();
+    forgetResults();
     status_->setText(tr("Searching…"));
     find_.start(
         tr("Searching a DICOM server"),
@@ -270,9 +278,16 @@ void PacsDialog::showStudies(const PacsAnswer<PacsStudy>& answer) {
 }
 
 void PacsDialog::loadSeries(QTreeWidgetItem* study) {
-    if (!current() || study->parent() || study->data(0, k_asked).toBool()) return;
+    if (study->parent() || study->data(0, k_asked).toBool()) return;
     study->setData(0, k_asked, true);
-    const QString uid = study->data(0, k_study).toString();
+    asked_ << study->data(0, k_study).toString();
+    askForSeries();
+}
+
+/// One study after the other: a start in between would end the one that runs.
+void PacsDialog::askForSeries() {
+    if (!current() || asked_.isEmpty() || series_.running()) return;
+    const QString uid = asked_.takeFirst();
     series_.start(
         tr("Asking for the series of a study"),
         [server = *current(), study_uid = uid.toStdString()](const JobContext& job) {
@@ -295,6 +310,7 @@ void PacsDialog::loadSeries(QTreeWidgetItem* study) {
                 }
             }
             Q_EMIT finished();
+            askForSeries();
         });
 }
 
@@ -309,7 +325,7 @@ void PacsDialog::chooseAndRetrieve() {
 
 void PacsDialog::retrieve(const QString& folder) {
     QTreeWidgetItem* item = results_->currentItem();
-    if (!current() || !item) return;
+    if (!current() || !item || get_.running()) return;
     status_->setText(tr("Retrieving…"));
     get_.start(
         tr("Retrieving from a DICOM server"),
@@ -317,6 +333,7 @@ void PacsDialog::retrieve(const QString& folder) {
          series = item->data(0, k_series).toString().toStdString(), target = folder.toStdString()](
             const JobContext& job) { return retrieve_from_pacs(server, study, series, target, job); },
         [this, folder](Outcome<PacsTransfer> outcome) {
+            showEnabled();
             if (!failed(outcome)) {
                 const PacsTransfer& transfer = std::get<0>(outcome);
                 QString words = tr("%n files retrieved.", nullptr, transfer.done);
@@ -327,6 +344,7 @@ void PacsDialog::retrieve(const QString& folder) {
             }
             Q_EMIT finished();
         });
+    showEnabled();
 }
 
 void PacsDialog::chooseAndSend() {
@@ -336,7 +354,7 @@ void PacsDialog::chooseAndSend() {
 }
 
 void PacsDialog::send(const QStringList& files) {
-    if (!current()) return;
+    if (!current() || store_.running()) return;
     std::vector<std::filesystem::path> paths;
     for (const QString& file : files) paths.emplace_back(file.toStdString());
     status_->setText(tr("Sending…"));
@@ -344,6 +362,7 @@ void PacsDialog::send(const QStringList& files) {
         tr("Sending to a DICOM server"),
         [server = *current(), paths](const JobContext& job) { return send_to_pacs(server, paths, job); },
         [this](Outcome<PacsTransfer> outcome) {
+            showEnabled();
             if (!failed(outcome)) {
                 const PacsTransfer& transfer = std::get<0>(outcome);
                 QString words = tr("%n files sent.", nullptr, transfer.done);
@@ -352,6 +371,7 @@ void PacsDialog::send(const QStringList& files) {
             }
             Q_EMIT finished();
         });
+    showEnabled();
 }
 
 }  // namespace lacuna::ui

@@ -43,6 +43,8 @@ private:
     void showServers(int row);
     void showStudies(const PacsAnswer<PacsStudy>& answer);
     void loadSeries(QTreeWidgetItem* study);
+    void askForSeries();
+    void forgetResults();
     void chooseAndRetrieve();
     void chooseAndSend();
     void showEnabled();
@@ -65,6 +67,7 @@ private:
     QPushButton* search_ = nullptr;
     QPushButton* retrieve_ = nullptr;
     QPushButton* send_ = nullptr;
+    QStringList asked_;  ///< studies whose series are still to be asked for
     Task<int> echo_;
     Task<PacsAnswer<PacsStudy>> find_;
     Task<PacsAnswer<PacsSeries>> series_;

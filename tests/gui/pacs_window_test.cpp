@@ -1,6 +1,8 @@
 // DICOM servers in the window, with a real one on the loopback.
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
+#include <QPushButton>
 #include <QTemporaryDir>
 
 #include "core/io/dicom_writer.h"
@@ -44,6 +46,80 @@ protected:
         ASSERT_TRUE(finished.count() > 0 || finished.wait(k_patience_ms));
     }
 };
+
+TEST_F(PacsWindowTest, WhatOneServerStillHasToAnswerIsNotShownForAnother) {
+    const lacuna::test::Listener silent;  // takes the connection and says nothing
+    window->findChild<PacsFeature*>()->showDialog();
+    auto* dialog = window->findChild<PacsDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    PacsServer first = lacuna::test::server_at(silent.port(), "ONE"), second = first;
+    second.called_aet = "TWO";
+    dialog->setServers({first, second});
+    dialog->search();
+    ASSERT_EQ(window->bench()->tasks()->rows().size(), 1u);
+    QComboBox* choice = nullptr;
+    for (QComboBox* box : dialog->findChildren<QComboBox*>())
+        if (box->count() == 2) choice = box;
+    ASSERT_NE(choice, nullptr);
+    choice->setCurrentIndex(1);
+    EXPECT_TRUE(window->bench()->tasks()->rows().empty());
+    dialog->search();
+    ASSERT_EQ(window->bench()->tasks()->rows().size(), 1u);
+    dialog->setServers({second});
+    EXPECT_TRUE(window->bench()->tasks()->rows().empty());
+}
+
+TEST_F(PacsWindowTest, ASecondSendingDoesNotEndTheFirstWithoutAWord) {
+    const lacuna::test::Listener silent;
+    QTemporaryDir folder;
+    const std::filesystem::path root = folder.path().toStdString();
+    SampleOptions options;
+    options.dims = {8, 8, 8};
+    write_dicom_series(make_sample("spheres", options).volume, root / "in");
+    window->findChild<PacsFeature*>()->showDialog();
+    auto* dialog = window->findChild<PacsDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    dialog->setServers({lacuna::test::server_at(silent.port(), "ONE")});
+    dialog->send({folder.filePath(QStringLiteral("in/slice00001.dcm"))});
+    ASSERT_EQ(window->bench()->tasks()->rows().size(), 1u);
+    const TaskList::Id first = window->bench()->tasks()->rows()[0].id;
+    dialog->send({folder.filePath(QStringLiteral("in/slice00002.dcm"))});
+    ASSERT_EQ(window->bench()->tasks()->rows().size(), 1u);
+    EXPECT_EQ(window->bench()->tasks()->rows()[0].id, first);
+    const auto sender = [&]() -> QPushButton* {
+        for (QPushButton* button : dialog->findChildren<QPushButton*>())
+            if (button->text().contains(QStringLiteral("iles…"))) return button;
+        return nullptr;
+    }();
+    ASSERT_NE(sender, nullptr);
+    EXPECT_FALSE(sender->isEnabled());
+    window->bench()->tasks()->cancelAll();
+    EXPECT_TRUE(sender->isEnabled());
+}
+
+TEST_F(PacsWindowTest, TheSeriesOfTwoStudiesOpenedInARowAllCome) {
+    if (!lacuna::test::orthanc_is_there()) GTEST_SKIP() << "skipped: Orthanc is not installed";
+    QTemporaryDir folder;
+    const std::filesystem::path root = folder.path().toStdString();
+    Orthanc orthanc(root, "");
+    const PacsServer server = lacuna::test::server_at(orthanc.port(), "ORTHANC");
+    ASSERT_TRUE(orthanc.wait(server));
+    SampleOptions options;
+    options.dims = {8, 8, 8};
+    for (const char* name : {"a", "b"}) {
+        write_dicom_series(make_sample("spheres", options).volume, root / name);
+        send_to_pacs(server, {root / name / "slice00001.dcm", root / name / "slice00002.dcm"});
+    }
+    window->findChild<PacsFeature*>()->showDialog();
+    auto* dialog = window->findChild<PacsDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    dialog->setServers({server});
+    finish(*dialog, [&] { dialog->search(); });
+    ASSERT_EQ(dialog->results()->topLevelItemCount(), 2);
+    for (int i = 0; i < 2; ++i) dialog->results()->topLevelItem(i)->setExpanded(true);
+    for (int i = 0; i < 2; ++i)
+        EXPECT_TRUE(QTest::qWaitFor([&] { return dialog->results()->topLevelItem(i)->childCount() == 1; }, 10000)) << i;
+}
 
 TEST_F(PacsWindowTest, FindsRetrievesBothWaysAndSends) {
     if (!lacuna::test::orthanc_is_there()) GTEST_SKIP() << "skipped: Orthanc is not installed";
