@@ -3,6 +3,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/atomic_folder.h"
+#include "core/chart/svg_text.h"
 #include "core/inspect/report.h"
 #include "core/inspect/report_text.h"
 #include "core/io/dicom_capture_writer.h"
@@ -128,7 +129,7 @@ std::vector<DicomMeasurementGroup> groups_of(const InspectionReport& report, con
                                   {DicomQuantity::area_mm2, d.area_mm2.value}};
         group.measurements.push_back({DicomQuantity::surface_distance_mm, d.surface_distance_mm.value});
         group.measurements.push_back({DicomQuantity::mean_value, d.mean});
-        group.said = {{"Verdict", std::string(name_of(judged.verdict))}, {"Why", judged.why}};
+        group.said = {{"Verdict", std::string(name_of(judged.verdict))}, {"Why", valid_utf8(judged.why)}};
         if (d.measurable)
             group.said.push_back({"Volume interval", short_interval(d.volume_mm3) + " mm3"});
         else
@@ -142,7 +143,10 @@ std::string joined(const std::vector<std::string>& sentences) {
     std::string text;
     for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;
     constexpr std::size_t k_most = 1000;  // a short text
-    return text.size() <= k_most ? text : text.substr(0, k_most) + " ...";
+    if (text.size() <= k_most) return valid_utf8(text);
+    std::size_t end = k_most;
+    while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // between two characters
+    return valid_utf8(text.substr(0, end)) + " ...";
 }
 
 void write_dicom_files(const InspectionReport& report, const fs::path& folder, const JobContext& job) {

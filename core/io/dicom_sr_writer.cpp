@@ -6,6 +6,7 @@
 #include <dcmtk/dcmsr/cmr/tid1500.h>
 #include <dcmtk/dcmsr/dsrdoc.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -63,8 +64,48 @@ CID7181_AbstractMultiDimensionalImageModelComponentUnits unit_of(DicomQuantity q
     }
 }
 
+/// Texts of the report and of the source stand in one object and so in one character set: UTF-8, where the source's can
+/// be converted; else they stay the source's, and the report's are cut down to ASCII.
+class Texts {
+public:
+    explicit Texts(DcmDataset& context) {
+        if (!context.containsExtendedCharacters(OFTrue)) return;  // ASCII is UTF-8 already
+        DcmDataset converted(context);
+        if (converted.convertToUTF8().bad()) {
+            utf8_ = false;
+            return;
+        }
+        context = converted;
+    }
+
+    std::string operator()(const std::string& text) {
+        const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 128; };
+        if (std::all_of(text.begin(), text.end(), is_ascii)) return text;
+        beyond_ascii_ = true;
+        if (utf8_) return text;
+        std::string plain;
+        for (const char c : text)
+            if (is_ascii(c))
+                plain += c;
+            else if ((static_cast<unsigned char>(c) & 0xc0) != 0x80)  // once a character
+                plain += '?';
+        return plain;
+    }
+
+    /// What the object is to name as its own; empty: ASCII.
+    std::string character_set(DcmDataset& context) const {
+        if (utf8_ && beyond_ascii_) return "ISO_IR 192";
+        OFString all;
+        (void)context.findAndGetOFStringArray(DCM_SpecificCharacterSet, all);
+        return {all.c_str(), all.size()};
+    }
+
+private:
+    bool utf8_ = true, beyond_ascii_ = false;
+};
+
 void add_group(TID1500_MeasurementReport& report, const DicomMeasurementGroup& group, const std::string& unit,
-               const DicomSource& source, const std::string& seg_uid) {
+               const DicomSource& source, const std::string& seg_uid, Texts& texts) {
     need(report.addVolumetricROIMeasurements(), "a measurement group");
     Measurements& roi = report.getVolumetricROIMeasurements();
     need(roi.setTrackingIdentifier(group.label.c_str()), "a tracking id");
@@ -80,7 +121,7 @@ void add_group(TID1500_MeasurementReport& report, const DicomMeasurementGroup& g
         need(roi.addMeasurement(concept_of(m.quantity), value), "a measurement");
     }
     for (const auto& [name, text] : group.said)
-        need(roi.addQualitativeEvaluation(own_code(name), text.c_str()), "an evaluation");
+        need(roi.addQualitativeEvaluation(own_code(name), texts(text).c_str()), "an evaluation");
 }
 
 void add_evidence(DSRDocument& document, const DicomSource& source, const DicomProvenance& made,
@@ -100,6 +141,7 @@ void write_dicom_report(const std::vector<DicomMeasurementGroup>& groups,
                         const DicomSource& source, const DicomProvenance& made, const std::filesystem::path& target) {
     DcmDataset context;
     copy_context(source, made, context);
+    Texts texts(context);
     OFString study;
     context.findAndGetOFString(DCM_StudyInstanceUID, study);
     const std::string seg_uid = uid_for(made, "seg");
@@ -108,14 +150,15 @@ void write_dicom_report(const std::vector<DicomMeasurementGroup>& groups,
     need(report.setLanguage(DSRCodedEntryValue("en", "RFC5646", "English")), "the language");
     need(report.getObservationContext().addDeviceObserver(
              uid_for({made.software, made.software, "", ""}, "device").c_str(), made.software.c_str(),
-             made.software.c_str(), made.version.c_str()),
+             made.software.c_str(), made.software.c_str()),
          "the observer");
     need(report.addProcedureReported(own_code("CT inspection")), "the procedure");
-    for (const DicomMeasurementGroup& group : groups) add_group(report, group, unit, source, seg_uid);
+    for (const DicomMeasurementGroup& group : groups) add_group(report, group, unit, source, seg_uid, texts);
     for (const auto& [name, text] : said)
-        need(report.addQualitativeEvaluation(own_code(name), text.c_str()), "an evaluation");
+        need(report.addQualitativeEvaluation(own_code(name), texts(text).c_str()), "an evaluation");
 
     DSRDocument document(DSRTypes::DT_ComprehensiveSR);
+    need(document.setSpecificCharacterSet(texts.character_set(context).c_str()), "the character set");
     need(document.readPatientData(context), "the source's patient");
     need(document.readStudyData(context), "the source's study");
     need(document.setTreeFromRootTemplate(report), "the content");

@@ -30,7 +30,7 @@ struct DicomMeasurementGroup {
 /// Writes a measurement report (Comprehensive SR, template TID 1500) that refers to a segmentation written with the
 /// same provenance and to the source series.
 /// @param unit  of mean values: "HU", or anything else for arbitrary units
-/// @param said  evaluations of the whole part in words: name, text
+/// @param said  evaluations of the whole part in words, UTF-8: name, text
 /// @throws Error(io); Error(unsupported) for what DICOM refuses
 void write_dicom_report(const std::vector<DicomMeasurementGroup>& groups,
                         const std::vector<std::pair<std::string, std::string>>& said, const std::string& unit,
