@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/base/error.h"
 
@@ -177,10 +178,14 @@ private:
         const double limit = std::max(1e-6, k_duplicate_share * usual_gap(all));
         std::vector<std::size_t> kept;
         for (const std::size_t s : plan_.order) {
-            if (!kept.empty() && along(s) - along(kept.back()) <= limit)
-                plan_.duplicates.push_back(s);
-            else
+            if (kept.empty() || along(s) - along(kept.back()) > limit) {
                 kept.push_back(s);
+                continue;
+            }
+            // Of several passes over the same positions the first one stays whole, in whatever order the files lie.
+            const bool earlier = slices_[s].instance && slices_[kept.back()].instance &&
+                                 *slices_[s].instance < *slices_[kept.back()].instance;
+            plan_.duplicates.push_back(earlier ? std::exchange(kept.back(), s) : s);
         }
         plan_.order = std::move(kept);
         if (plan_.duplicates.empty()) return;

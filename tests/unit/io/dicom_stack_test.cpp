@@ -81,6 +81,20 @@ TEST(StackPlan, OrdersByPositionAlongTheNormalWhateverTheInput) {
     EXPECT_TRUE(plan.warnings.empty());
 }
 
+TEST(StackPlan, OfSeveralPassesOverTheSamePositionsOneStaysWhole) {
+    for (const bool pass_by_pass : {true, false}) {
+        // Three positions in two phases, in the order of files named at random.
+        auto slices = stack_at({{0, 0, 4}, {0, 0, 2}, {0, 0, 0}, {0, 0, 0}, {0, 0, 2}, {0, 0, 4}});
+        const std::vector<int> phase = {0, 1, 0, 1, 0, 1}, place = {2, 1, 0, 0, 1, 2};
+        for (std::size_t i = 0; i < slices.size(); ++i)
+            slices[i].instance = pass_by_pass ? 1 + 3 * phase[i] + place[i] : 1 + 2 * place[i] + phase[i];
+        const StackPlan plan = plan_stack(slices, {4, 6}, names_for(6));
+        EXPECT_EQ(plan.order, (std::vector<std::size_t>{2, 4, 0})) << pass_by_pass;
+        EXPECT_EQ(plan.duplicates.size(), 3u);
+        EXPECT_EQ(plan.grid.size.z, 3);
+    }
+}
+
 TEST(StackPlan, RefusesAGapFarLargerThanTheStack) {
     const auto slices = stack_at({{0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {0, 0, 500}});
     try {
