@@ -61,11 +61,12 @@ void rescale_in(DcmItem& item, Frame& frame) {
     frame.rescale_type = text_of(item, DCM_RescaleType);
 }
 
+/// The window is only one way to show the image: a slip in it keeps nobody from the voxels.
 void window_in(DcmItem& item, Frame& frame) {
-    const auto center = numbers_of(item, DCM_WindowCenter), width = numbers_of(item, DCM_WindowWidth);
-    if (center.empty() || width.empty()) return;
-    frame.window_center = center.front();
-    frame.window_width = width.front();
+    const auto center = readable_number_of(item, DCM_WindowCenter), width = readable_number_of(item, DCM_WindowWidth);
+    if (!center || !width) return;
+    frame.window_center = center;
+    frame.window_width = width;
 }
 
 bool names_localizer(DcmItem& item, const DcmTagKey& tag) {
@@ -99,7 +100,7 @@ Frame plain_frame(DcmItem& data) {
     window_in(data, frame);
     acquisition_in(data, {DCM_AcquisitionNumber, DCM_TemporalPositionIdentifier, DCM_EchoTime, DCM_DiffusionBValue},
                    frame);
-    frame.instance = integer_of(data, DCM_InstanceNumber);
+    frame.instance = readable_integer_of(data, DCM_InstanceNumber);
     frame.localizer = names_localizer(data, DCM_ImageType);
     return frame;
 }

@@ -133,6 +133,9 @@ bool find_pixels(const RandomAccessFile& bytes, const ParsedHeader& header, File
 }
 
 void check_pixel_extent(File& file, int frames) {
+    // Beyond any file's length: the product below would leave 64 bits and seem small.
+    if (double(file.pixels.pixels()) * file.pixels.bits_allocated * frames > 8e18)
+        throw std::runtime_error("it claims more pixels than any file could hold");
     const auto needed = std::uint64_t((file.pixels.pixels() * file.pixels.bits_allocated * frames + 7) / 8);
     if (!file.direct) {
         if (std::uint64_t(frames) * 8 > file.file_bytes)
@@ -162,8 +165,14 @@ void fill_pixel_format(DcmItem& data, PixelFormat& pixels) {
     pixels.bits_stored = integer_of(data, DCM_BitsStored).value_or(pixels.bits_allocated);
     pixels.high_bit = integer_of(data, DCM_HighBit).value_or(pixels.bits_stored - 1);
     pixels.is_signed = integer_of(data, DCM_PixelRepresentation).value_or(0) == 1;
-    if (pixels.kind != PixelKind::integer) return;
     const int bits = pixels.bits_allocated;
+    if (pixels.kind != PixelKind::integer) {
+        const int width = pixels.kind == PixelKind::float32 ? 32 : 64;
+        if (bits != width)
+            throw std::runtime_error(tag_text(DCM_BitsAllocated) + " is " + std::to_string(bits) +
+                                     ", but its pixels are floating-point numbers of " + std::to_string(width));
+        return;
+    }
     if (bits != 1 && bits != 8 && bits != 16 && bits != 32)
         throw std::runtime_error(tag_text(DCM_BitsAllocated) + " is " + std::to_string(bits) +
                                  "; 1, 8, 16 and 32 can be read");
@@ -251,7 +260,7 @@ void fill_file(DcmItem& data, File& file) {
     file.modality = text_of(data, DCM_Modality);
     file.description = text_of(data, DCM_SeriesDescription);
     if (file.description.empty()) file.description = text_of(data, DCM_StudyDescription);
-    file.series_number = integer_of(data, DCM_SeriesNumber).value_or(0);
+    file.series_number = readable_integer_of(data, DCM_SeriesNumber).value_or(0);
     fill_pixel_format(data, file.pixels);
     fill_component(data, file);
     if (file.pixels.samples != 1 || !file.pixels.photometric.starts_with("MONOCHROME")) {

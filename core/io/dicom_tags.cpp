@@ -67,6 +67,22 @@ std::optional<int> integer_of(DcmItem& item, const DcmTagKey& tag) {
     return int(*value);
 }
 
+std::optional<double> readable_number_of(DcmItem& item, const DcmTagKey& tag) {
+    const std::string first = text_of(item, tag);
+    if (first.empty()) return std::nullopt;
+    try {
+        return parse_number(first, tag);
+    } catch (const std::runtime_error&) {
+        return std::nullopt;
+    }
+}
+
+std::optional<int> readable_integer_of(DcmItem& item, const DcmTagKey& tag) {
+    const auto value = readable_number_of(item, tag);
+    if (!value || !(std::abs(*value) <= 2147483647.0) || *value != std::floor(*value)) return std::nullopt;
+    return int(*value);
+}
+
 DcmItem* item_of(DcmItem& item, const DcmTagKey& sequence, unsigned long index) {
     DcmSequenceOfItems* found = nullptr;
     if (item.findAndGetSequence(sequence, found).bad() || !found || index >= found->card()) return nullptr;

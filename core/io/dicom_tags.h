@@ -30,6 +30,11 @@ std::optional<double> number_of(DcmItem& item, const DcmTagKey& tag);
 /// A whole number. @throws as numbers_of; also when it is not whole or outside 32 bits
 std::optional<int> integer_of(DcmItem& item, const DcmTagKey& tag);
 
+/// The first number of a tag that is only shown or sorted by: nothing for what is no number or, of the second, not
+/// whole.
+std::optional<double> readable_number_of(DcmItem& item, const DcmTagKey& tag);
+std::optional<int> readable_integer_of(DcmItem& item, const DcmTagKey& tag);
+
 /// The n-th item of a sequence; nullptr when there is none.
 DcmItem* item_of(DcmItem& item, const DcmTagKey& sequence, unsigned long index = 0);
 

@@ -1,5 +1,10 @@
+#include <dcmtk/config/osconfig.h>
+// DCMTK's configuration comes first
+#include <dcmtk/dcmdata/dctk.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
+
+#include <functional>
 
 #include "core/base/atomic_file.h"
 #include "core/io/dicom_reader.h"
@@ -116,6 +121,59 @@ TEST(DicomLimits, AModalityTableThatIsCutIsRefused) {
     write_zoo_slice(folder / "a", slice);
     const auto found = find_dicom_series(folder.path());
     test::expect_error(Errc::bad_input, {"LUTData", "4 of 9"}, [&] { read_dicom_series(found.front()); });
+}
+
+TEST(DicomLimits, ASlipInWhatIsOnlyShownHidesNoImage) {
+    const TemporaryFolder folder;
+    ZooSlice slice;
+    slice.extra = {{{0x0028, 0x1050}, "40\\"}, {{0x0028, 0x1051}, "400\\"}, {{0x0020, 0x0011}, "1.5"}};
+    write_zoo_slice(folder / "a", slice);
+    const Volume v = open_volume((folder / "a").string());
+    EXPECT_EQ(v.dicom->window_center, 40);
+    EXPECT_EQ(v.dicom->window_width, 400);
+    EXPECT_EQ(v.value(0, 0, 0), 100 - 1024);
+    slice.extra = {{{0x0028, 0x1050}, "40,5"}, {{0x0028, 0x1051}, "400"}, {{0x0020, 0x0013}, "7a"}};
+    write_zoo_slice(folder / "b", slice);
+    const Volume none = open_volume((folder / "b").string());
+    EXPECT_FALSE(none.dicom->window_center);
+    EXPECT_EQ(none.value(0, 0, 0), 100 - 1024);
+}
+
+/// A file whose header is made by hand.
+void write_header(const std::filesystem::path& file, const std::function<void(DcmDataset&)>& fill) {
+    DcmFileFormat format;
+    DcmDataset& set = *format.getDataset();
+    set.putAndInsertString(DCM_SOPClassUID, UID_CTImageStorage);
+    set.putAndInsertString(DCM_SOPInstanceUID, "1.2.3");
+    set.putAndInsertString(DCM_PhotometricInterpretation, "MONOCHROME2");
+    set.putAndInsertUint16(DCM_SamplesPerPixel, 1);
+    fill(set);
+    ASSERT_TRUE(format.saveFile(file.c_str(), EXS_LittleEndianExplicit).good());
+}
+
+TEST(DicomLimits, FloatingPointPixelsOfAnotherWidthAreRefused) {
+    const TemporaryFolder folder;
+    write_header(folder / "a", [](DcmDataset& set) {
+        const std::vector<Float32> pixels(4, 1.0f);
+        set.putAndInsertUint16(DCM_Rows, 4);
+        set.putAndInsertUint16(DCM_Columns, 4);
+        set.putAndInsertUint16(DCM_BitsAllocated, 8);  // of which 16 bytes were enough
+        set.putAndInsertFloat32Array(DCM_FloatPixelData, pixels.data(), 4);
+    });
+    test::expect_error(Errc::bad_input, {"BitsAllocated", "32"}, [&] { open_volume((folder / "a").string()); });
+}
+
+TEST(DicomLimits, AClaimBeyondAnyFileIsRefused) {
+    const TemporaryFolder folder;
+    write_header(folder / "a", [](DcmDataset& set) {
+        const Uint16 pixel = 0;
+        set.putAndInsertUint16(DCM_Rows, 32768);
+        set.putAndInsertUint16(DCM_Columns, 32768);
+        set.putAndInsertUint16(DCM_BitsAllocated, 16);
+        set.putAndInsertString(DCM_NumberOfFrames, "1073741824");  // 2^64 bits in all: 0, were they counted in 64
+        set.putAndInsertUint16Array(DCM_PixelData, &pixel, 1);
+    });
+    test::expect_error(Errc::bad_input, {"more pixels"}, [&] { open_volume((folder / "a").string()); });
 }
 
 TEST(DicomLimits, SpacingGivenByHandIsUsedAndSaid) {
