@@ -102,8 +102,8 @@ std::string report_json(const InspectionReport& report);
 /// Self-contained: styles, pictures and charts inside, no script but the table's sorting.
 std::string report_html(const InspectionReport& report);
 /// A4; table rows are never split and their header stands on every page. No date, so that equal reports are equal
-/// bytes.
-std::string report_pdf(const InspectionReport& report);
+/// bytes. @throws Error(cancelled)
+std::string report_pdf(const InspectionReport& report, const JobContext& job = {});
 
 /// Writes the whole folder beside its target and renames it: report.html, report.pdf, defects.csv, report.json,
 /// labels.nrrd, defects.stl; for DICOM input also seg.dcm, sr.dcm and key.dcm. A report that stands there is replaced;

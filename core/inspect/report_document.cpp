@@ -260,6 +260,8 @@ ReportDocument document_of(const InspectionReport& report) {
 
 std::string report_html(const InspectionReport& report) { return to_html(document_of(report)); }
 
-std::string report_pdf(const InspectionReport& report) { return to_pdf(document_of(report)); }
+std::string report_pdf(const InspectionReport& report, const JobContext& job) {
+    return to_pdf(document_of(report), job);
+}
 
 }  // namespace lacuna

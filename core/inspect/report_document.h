@@ -60,8 +60,8 @@ ReportDocument document_of(const InspectionReport& report);
 
 /// One HTML page, everything inside.
 std::string to_html(const ReportDocument& document);
-/// A4 pages with page numbers.
-std::string to_pdf(const ReportDocument& document);
+/// A4 pages with page numbers. Cost: about a millisecond a row of a wide table. @throws Error(cancelled)
+std::string to_pdf(const ReportDocument& document, const JobContext& job = {});
 
 /// The colour a verdict is shown in, sRGB 0..1.
 glm::dvec3 verdict_color(Verdict verdict);

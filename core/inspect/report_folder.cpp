@@ -174,7 +174,7 @@ void write_report(const InspectionReport& report, const Volume& volume, const fs
     write_file(to / "defects.csv", defects_csv(report));
     write_file(to / "report.html", report_html(report));
     job.check();
-    write_file(to / "report.pdf", report_pdf(report));
+    write_file(to / "report.pdf", report_pdf(report, {job.stop, nullptr}));
     if (report.source && !report.source->images.empty()) write_dicom_files(report, to, job.part(0.7, 0.95));
     write_file(to / k_mark, report_json(report));
     job.checkpoint(1, 1);  // the last moment at which a stop leaves nothing behind

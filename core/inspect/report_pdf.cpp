@@ -20,8 +20,8 @@ const TextStyle k_text{8.5}, k_cell{6.8}, k_cell_head{6.8, true}, k_heading{11, 
 /// Lays blocks on pages, first without drawing to learn how many pages there will be.
 class PdfWriter {
 public:
-    explicit PdfWriter(const ReportDocument& document)
-        : document_(document), canvas_(Canvas::pdf(k_a4, valid_utf8(document.title))) {}
+    PdfWriter(const ReportDocument& document, const JobContext& job)
+        : document_(document), job_(job), canvas_(Canvas::pdf(k_a4, valid_utf8(document.title))) {}
 
     std::string write() {
         lay_out();
@@ -151,6 +151,7 @@ private:
             need(head + 40);
             draw_head(table, columns, head);
             for (const auto& row : table.rows) {
+                job_.check();
                 const double height = row_height(table, columns, row);
                 if (y_ + height > bottom()) {
                     start_page();
@@ -291,6 +292,7 @@ private:
     }
 
     const ReportDocument& document_;
+    const JobContext& job_;
     Canvas canvas_;
     double y_ = 0;
     int page_ = 0, pages_ = 0;
@@ -300,6 +302,6 @@ private:
 
 }  // namespace
 
-std::string to_pdf(const ReportDocument& document) { return PdfWriter(document).write(); }
+std::string to_pdf(const ReportDocument& document, const JobContext& job) { return PdfWriter(document, job).write(); }
 
 }  // namespace lacuna

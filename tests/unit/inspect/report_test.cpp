@@ -224,6 +224,9 @@ TEST(Pdf, HasAsManyPagesAsItsRowsNeedAndTheSameBytesTwice) {
     EXPECT_GT(count_of(pdf, "/Type /Page\n") + count_of(pdf, "/Type /Page "), 8u);
     EXPECT_EQ(pdf, to_pdf(document));
     EXPECT_EQ(pdf.find("/CreationDate"), std::string::npos);
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW(to_pdf(document, {stop.get_token(), nullptr}), Error);
     document.blocks = {Paragraph{"one line"}};
     const std::string one = to_pdf(document);
     EXPECT_EQ(count_of(one, "/Type /Page\n") + count_of(one, "/Type /Page "), 1u);
