@@ -13,6 +13,7 @@ namespace {
 
 constexpr double k_lane_points = 22;
 constexpr double k_pad = 0.04;  // of the axis, beyond the data at either end
+constexpr double k_rounding = 1e-12;
 
 /// Digits as superscripts.
 std::string raised(int number) {
@@ -90,7 +91,8 @@ AxisScale::AxisScale(const Axis& axis, const Extent& data, double from, double t
     } else {
         if (include_zero && fit_lo) lo_ = std::min(lo_, 0.0);
         if (include_zero && fit_hi) hi_ = std::max(hi_, 0.0);
-        if (fit_lo && fit_hi && !(hi_ > lo_)) {
+        // Apart by rounding alone is the same, and too little to count ticks in.
+        if (fit_lo && fit_hi && !(hi_ - lo_ > k_rounding * std::max(std::fabs(lo_), std::fabs(hi_)))) {
             const double half = lo_ == 0 ? 0.5 : 0.1 * std::fabs(lo_);
             lo_ -= half;
             hi_ += half;

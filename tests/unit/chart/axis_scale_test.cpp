@@ -86,6 +86,18 @@ TEST(AxisScale, OneValueOrNoneStillMakesAnAxis) {
         }
 }
 
+TEST(AxisScale, ValuesApartByRoundingAloneAreOne) {
+    for (const double value : {1.0, -3.7e9, 5e-7}) {
+        Extent extent;
+        extent.add(value, Scale::linear);
+        extent.add(std::nextafter(value, 1e300), Scale::linear);
+        const AxisScale scale({}, extent, 0, 100);
+        EXPECT_LT(scale.lo(), value);
+        EXPECT_LT(scale.ticks(5).size(), 20u);
+        EXPECT_GT(scale.ticks(5).size(), 1u);
+    }
+}
+
 TEST(AxisScale, RefusesEndsThatAreOff) {
     Axis x = axis(Scale::linear);
     x.lo = 2, x.hi = 2;
