@@ -244,10 +244,18 @@ BatchRow row_of(const BatchPart& part, const InspectionReport& report) {
 BatchResult run_batch(const std::vector<BatchPart>& series, const BatchOptions& options, const JobContext& job) {
     check(options);
     BatchJournal journal(options.folder);
-    journal.open(series, options);
     std::vector<BatchPart> parts = series;
     const bool with_reference = !options.reference.empty();
     if (with_reference) parts.push_back({"reference", options.reference});
+    // A slip in its name must not leave a folder behind that holds the series to it.
+    const std::optional<BatchRow> known = with_reference ? journal.read("reference") : std::nullopt;
+    if (with_reference && options.shard == 1 && !(known && known->verdict)) {
+        Planned reference;
+        look_at(reference, parts.back(), options, job);
+        if (!reference.fault.empty())
+            throw Error(Errc::bad_input, "The reference component cannot be inspected: " + reference.fault);
+    }
+    journal.open(series, options);
 
     std::vector<Planned> planned;
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -262,8 +270,6 @@ BatchResult run_batch(const std::vector<BatchPart>& series, const BatchOptions& 
             AtomicFolder::remove_leftovers(options.folder / parts[i].name);
             look_at(part, parts[i], options, job);
         }
-        if (reference && !part.fault.empty())
-            throw Error(Errc::bad_input, "The reference component cannot be inspected: " + part.fault);
         planned.push_back(std::move(part));
     }
     BatchRunner(parts, options, journal, job).run(planned);

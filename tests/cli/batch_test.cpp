@@ -165,6 +165,7 @@ TEST_F(Series, WhatIsOffIsSaidBeforeTheFirstPart) {
     expect_failure(lacuna(words("r", {"--jobs", "0"})), 2, "--jobs");
     expect_failure(lacuna({"batch", path("parts")}), 2, "--criteria");
     expect_failure(lacuna({"batch", "--merge", path("empty")}), 1, "no series");
+    expect_failure(lacuna(words("r", {"--reference", path("golden")})), 1, "golden");
     EXPECT_FALSE(fs::exists(path("r")));
     EXPECT_EQ(lacuna(words("r")).error_lines(), 0);
     expect_failure(lacuna(words("r")), 1, "--resume");
