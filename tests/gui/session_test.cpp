@@ -256,6 +256,27 @@ TEST_F(SessionTest, WhatACrashLeftIsOfferedAgain) {
     EXPECT_TRUE(QFile::exists(SessionFeature::lastFile()));
 }
 
+TEST_F(SessionTest, AnAutosaveThatFailedIsTriedAgain) {
+    open(k_casting);
+    QSignalSpy kept(session(), &SessionFeature::autosaved);
+    session()->autosave();
+    ASSERT_TRUE(kept.wait(k_patience_ms));
+    const QDir autosaves = SessionFeature::autosaveFolder();
+    const QStringList files = autosaves.entryList({QStringLiteral("autosave-*.lacuna")});
+    ASSERT_EQ(files.size(), 1);
+    // What no file can take the place of, until it is gone.
+    ASSERT_TRUE(QFile::remove(autosaves.filePath(files.front())));
+    ASSERT_TRUE(autosaves.mkpath(files.front() + QStringLiteral("/full")));
+    changeThings();
+    session()->autosave();
+    ASSERT_TRUE(QTest::qWaitFor(
+        [this] { return window->messageBar()->text().contains(QStringLiteral("Cannot write")); }, k_patience_ms));
+    ASSERT_TRUE(QDir(autosaves.filePath(files.front())).removeRecursively());
+    session()->autosave();  // as the timer would
+    ASSERT_TRUE(kept.count() == 2 || kept.wait(5000));
+    EXPECT_EQ(load_session(autosaves.filePath(files.front()).toStdString()).settings.iso, 1234.5);
+}
+
 TEST_F(SessionTest, ALivingWindowsAutosaveIsLeftAlone) {
     open(k_casting);
     changeThings();

@@ -325,7 +325,12 @@ void SessionFeature::autosave() {
             return true;
         },
         [this](Outcome<bool> outcome) {
-            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+            if (const Error* error = std::get_if<Error>(&outcome)) {
+                dirty_ = true;  // tried again, as when the disk has room again; said once
+                if (!std::exchange(autosave_fails_, true)) bench_.report(*error);
+                return;
+            }
+            autosave_fails_ = false;
             Q_EMIT autosaved();
         });
 }

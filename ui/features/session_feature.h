@@ -69,7 +69,7 @@ private:
     bool choice_asked_ = false;
     QString file_;        ///< where the open session was saved or came from; empty: nowhere yet
     std::string sha256_;  ///< of the open volume; empty: not known yet
-    bool dirty_ = false;
+    bool dirty_ = false, autosave_fails_ = false;
     int opened_ = 0, changes_ = 0;  ///< documents so far; changes that are asked about
     /// What save_ is about to write, so that the end of the window does not lose it.
     std::optional<std::pair<Session, QString>> saving_;
