@@ -34,10 +34,10 @@ void keep_pictures_at_hand() {
 
 }  // namespace
 
-Engine::Engine(std::shared_ptr<ComputeDevice> device)
+Engine::Engine(std::shared_ptr<ComputeDevice> device, bool blocks)
     : device_(std::move(device)), shear_warp_(std::make_unique<ShearWarpRenderer>()) {
     keep_pictures_at_hand();
-    if (device_) opencl_ = std::make_unique<OpenClRenderer>(device_);
+    if (device_) opencl_ = std::make_unique<OpenClRenderer>(device_, 0, blocks);
 }
 
 Engine::~Engine() = default;

@@ -36,7 +36,8 @@ struct RenderResult {
 class Engine {
 public:
     /// @param device  none: iso, EA and the MIP family run on the reference renderer
-    explicit Engine(std::shared_ptr<ComputeDevice> device);
+    /// @param blocks  as OpenClRenderer's: off, methods compare by themselves
+    explicit Engine(std::shared_ptr<ComputeDevice> device, bool blocks = true);
     ~Engine();
 
     /// @param count  fill the frame's counters (costs time)

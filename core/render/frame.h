@@ -13,6 +13,7 @@ struct Counters {
     std::uint64_t skipped = 0;          ///< lattice samples a structure jumped over (not those after termination)
     std::uint64_t structure_reads = 0;  ///< look-ups in the structure
     std::uint64_t trilinear = 0;        ///< of the samples, those made from eight voxels
+    std::uint64_t copied = 0;           ///< entries of blocks copied for them (kernels/include/block.clh), a cell each
     std::uint64_t not_converged = 0;    ///< iso hits whose Newton refinement left its bracket (reference renderer only)
 
     Counters& operator+=(const Counters& other) {
@@ -21,6 +22,7 @@ struct Counters {
         skipped += other.skipped;
         structure_reads += other.structure_reads;
         trilinear += other.trilinear;
+        copied += other.copied;
         not_converged += other.not_converged;
         return *this;
     }

@@ -37,6 +37,14 @@ struct OpenClRenderer::Tables {
     double step_mm = 0;
     TransferTables host;
     cl::Buffer opacity, color, gradient, shapes;
+    cl::Buffer
+        color_opacity;  // red, green, blue, opacity an entry, as floats: for kernels with blocks, made when asked for
+};
+
+/// A kernel ready to be given its arguments.
+struct OpenClRenderer::Caster {
+    cl::Kernel kernel;
+    bool blocks = false;  // a work-item casts 16x16 pixels, from blocks
 };
 
 /// The region classes of the view drawn last; keeps the bytes alive while the device reads them.
@@ -52,11 +60,12 @@ struct OpenClRenderer::Output {
     cl::Buffer color, depth, counters;
 };
 
-OpenClRenderer::OpenClRenderer(std::shared_ptr<ComputeDevice> device, int lanes)
+OpenClRenderer::OpenClRenderer(std::shared_ptr<ComputeDevice> device, int lanes, bool blocks)
     : device_(device),
       library_(device),
       structures_(device),
-      lanes_(lanes ? lanes : (device->info().is_cpu ? 16 : 1)) {}
+      lanes_(lanes ? lanes : (device->info().is_cpu ? 16 : 1)),
+      blocks_(blocks && lanes_ == 16) {}
 
 OpenClRenderer::~OpenClRenderer() = default;
 
@@ -128,8 +137,23 @@ void OpenClRenderer::hold_classes(const Scene& scene) {
         std::make_unique<Classes>(Classes{scene.regions.of_voxel, device_buffer(*device_, bytes.data(), bytes.size())});
 }
 
-cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool count,
-                                   bool tiles) {
+/// Where the kernels with blocks serve: trilinear samples of whole numbers in the modes that take most of them.
+bool OpenClRenderer::takes_blocks(const Scene& scene, const Plan& plan, const BoundStructure& structure,
+                                  bool tiles) const {
+    constexpr int k_least_row = 8, k_macrocells = 1, k_leap = 5;  // voxels copied at once; of LACUNA_STRUCTURE
+    if (!blocks_ || tiles || plan.brick > 0 || scene.regions || structure.volume() || structure.own_kernel)
+        return false;
+    if (scene.volume.type() == VoxelType::f32 || plan.sampler != Sampler::linear) return false;
+    if (scene.volume.geometry().size.x < k_least_row) return false;
+    if (scene.mode == ViewMode::mip || scene.mode == ViewMode::minip) return structure.kernel_id <= k_macrocells;
+    return scene.mode == ViewMode::ea && plan.integration == Integration::riemann && !structure.runs &&
+           structure.kernel_id < k_leap && plan.gradient == GradientFilter::central &&
+           plan.gradient_store == GradientStore::on_the_fly;
+}
+
+OpenClRenderer::Caster& OpenClRenderer::caster(const Scene& scene, const Plan& plan, const BoundStructure& structure,
+                                               bool count, bool tiles) {
+    const bool blocks = takes_blocks(scene, plan, structure, tiles);
     const bool segments = scene.mode == ViewMode::ea && plan.integration == Integration::preintegrated;
     std::string source = "render/raycast_mip.cl", name = "raycast_mip", extra;
     const bool classes = bool(scene.regions);
@@ -152,6 +176,10 @@ cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, const B
                                                                : 3;
         extra = " -DLACUNA_PROJECTION=" + std::to_string(projection);
     }
+    if (blocks) {
+        name += "_blocks";
+        source = "render/" + name + ".cl";
+    }
     const std::string options =
         "-DLACUNA_LANES=" + std::to_string(lanes_) + " -DLACUNA_VOXEL=" + std::to_string(int(scene.volume.type())) +
         " -DLACUNA_SAMPLER=" + std::to_string(int(plan.sampler)) +
@@ -163,20 +191,23 @@ cl::Kernel& OpenClRenderer::kernel(const Scene& scene, const Plan& plan, const B
         " -DLACUNA_TILES=" + (tiles ? "1" : "0") + " -DLACUNA_COUNT=" + (count ? "1" : "0") + extra +
         structure.options + (plan.brick > 0 ? " -DLACUNA_CARRY=1" : "");
     const std::string key = name + options;
-    auto found = kernels_.find(key);
-    if (found == kernels_.end()) found = kernels_.emplace(key, library_.kernel(source, name, options)).first;
+    auto found = casters_.find(key);
+    if (found == casters_.end())
+        found = casters_.emplace(key, Caster{library_.kernel(source, name, options), blocks}).first;
     return found->second;
 }
 
-void OpenClRenderer::run_bands(cl::Kernel& kernel, const PixelRect& rect, const JobContext& job, int* height) {
+void OpenClRenderer::run_bands(Caster& caster, const PixelRect& rect, const JobContext& job, int* height) {
     constexpr double k_band_ms = 8;
-    const int packet = lanes_ == 16 ? 4 : 1, group = lanes_ == 16 ? 4 : 8;
+    const int item = caster.blocks ? k_group_pixels : lanes_ == 16 ? 4 : 1;  // pixels across and down
+    const int group = caster.blocks ? 1 : lanes_ == 16 ? 4 : 8;
+    cl::Kernel& kernel = caster.kernel;
     run_in_bands(
         *device_, rect.size().y, k_group_pixels,
         [&](int first, int count, cl::Event& done) {
             kernel.setArg(k_first_row_arg, cl_int(rect.first.y + first));
             device_->queue().enqueueNDRangeKernel(
-                kernel, cl::NullRange, cl::NDRange(std::size_t(rect.size().x / packet), std::size_t(count / packet)),
+                kernel, cl::NullRange, cl::NDRange(std::size_t(rect.size().x / item), std::size_t(count / item)),
                 cl::NDRange(std::size_t(group), std::size_t(group)), nullptr, &done);
         },
         job, k_band_ms, height);
@@ -242,6 +273,7 @@ Counters OpenClRenderer::read_counters() {
         sum.skipped += item.s[2];
         sum.structure_reads += item.s[3];
         sum.trilinear += item.s[4];
+        sum.copied += item.s[5];
     }
     return sum;
 }
@@ -258,7 +290,22 @@ struct OpenClRenderer::Cast {
     std::map<std::string, BuildRecord>* build = nullptr;  ///< of the bricks' structures
 };
 
-void OpenClRenderer::bind(cl::Kernel& kernel, const Cast& cast, const RayParams& params) {
+/// One look-up for both, unpacked as the other kernels do it.
+const cl::Buffer& OpenClRenderer::colors_and_opacities() {
+    if (tables_->color_opacity()) return tables_->color_opacity;
+    const TransferTables& host = tables_->host;
+    std::vector<glm::vec4> both(host.color.size());
+    for (std::size_t i = 0; i < both.size(); ++i) {
+        const std::uint32_t c = host.color[i];
+        both[i] = {float(c & 2047) * (1.0f / 2047.0f), float(c >> 11 & 2047) * (1.0f / 2047.0f),
+                   float(c >> 22) * (1.0f / 1023.0f), host.opacity[i]};
+    }
+    tables_->color_opacity = uploaded_buffer(*device_, both.data(), both.size() * sizeof both[0]);
+    return tables_->color_opacity;
+}
+
+void OpenClRenderer::bind(Caster& caster, const Cast& cast, const RayParams& params) {
+    cl::Kernel& kernel = caster.kernel;
     // A kernel does not keep its arguments alive: the member does, until the next frame is bound.
     constants_ = cl::Buffer(device_->context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof params,
                             const_cast<RayParams*>(&params));
@@ -268,7 +315,7 @@ void OpenClRenderer::bind(cl::Kernel& kernel, const Cast& cast, const RayParams&
     kernel.setArg(arg++, constants_);
     kernel.setArg(arg++, cl_int(0));  // first row or tile: set for each launch
     if (ea) kernel.setArg(arg++, tables_->opacity);
-    if (cast.tables) kernel.setArg(arg++, tables_->color);
+    if (cast.tables) kernel.setArg(arg++, ea && caster.blocks ? colors_and_opacities() : tables_->color);
     kernel.setArg(arg++, output_->color);
     kernel.setArg(arg++, output_->depth);
     if (ea && cast.tables->uses_gradient) kernel.setArg(arg++, tables_->gradient);
@@ -283,11 +330,11 @@ void OpenClRenderer::bind(cl::Kernel& kernel, const Cast& cast, const RayParams&
 
 void OpenClRenderer::cast(const Cast& cast, const RayParams& params, const cl::Buffer* tiles, int tile_count) {
     if (cast.plan.brick > 0) return cast_bricks(cast, params, tiles, tile_count);
-    cl::Kernel& caster = kernel(cast.scene, cast.plan, cast.structure, cast.count, tiles != nullptr);
+    Caster& caster = this->caster(cast.scene, cast.plan, cast.structure, cast.count, tiles != nullptr);
     bind(caster, cast, params);
     if (!tiles) return run_bands(caster, {{0, 0}, output_->padded}, cast.job);
-    caster.setArg(tiles_arg_, *tiles);
-    run_tiles(caster, tile_count, cast.job);
+    caster.kernel.setArg(tiles_arg_, *tiles);
+    run_tiles(caster.kernel, tile_count, cast.job);
 }
 
 void OpenClRenderer::begin_carrying() {
@@ -350,11 +397,11 @@ void OpenClRenderer::cast_brick(const Cast& cast, RayParams params, std::int64_t
     place.first_x = rect.first.x;
     brick_constants_ = cl::Buffer(device_->context(), CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, sizeof place, &place);
     const Cast own{part, plan, cast.tables, structure, cast.job, cast.count, held.voxels->voxels()};
-    cl::Kernel& caster = kernel(part, plan, structure, cast.count, tiles != nullptr);
+    Caster& caster = this->caster(part, plan, structure, cast.count, tiles != nullptr);
     bind(caster, own, params);
     if (tiles) {
-        caster.setArg(tiles_arg_, *tiles);
-        run_tiles(caster, tile_count, cast.job);
+        caster.kernel.setArg(tiles_arg_, *tiles);
+        run_tiles(caster.kernel, tile_count, cast.job);
     } else {
         run_bands(caster, rect, cast.job, &brick_band_);
     }
@@ -506,8 +553,8 @@ RenderResult OpenClRenderer::render(const Scene& scene, const Plan& plan, const 
         if (whole) structure = structures_.prepare(scene, plan, tables, params, result.build, job);
         const Cast cast{scene,        plan, tables, structure, job, count, whole ? volume_->voxels() : constants_,
                         &result.build};
-        if (whole) kernel(scene, plan, structure, count, false);  // compiled before the clock starts
-        if (whole && plan.sparse >= 2) kernel(scene, plan, structure, count, true);
+        if (whole) caster(scene, plan, structure, count, false);  // compiled before the clock starts
+        if (whole && plan.sparse >= 2) caster(scene, plan, structure, count, true);
         if (!whole) bricks_->counts = {};
 
         const Stopwatch watch;

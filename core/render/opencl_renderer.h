@@ -28,8 +28,10 @@ struct PixelRect;
 /// time (Engine sees to that).
 class OpenClRenderer {
 public:
-    /// @param lanes  rays a work-item: 16 or 1; 0 takes 16 on CPU devices, else 1
-    explicit OpenClRenderer(std::shared_ptr<ComputeDevice> device, int lanes = 0);
+    /// How the kernels are written; no picture depends on it.
+    /// @param lanes   rays a work-item: 16 or 1; 0 takes 16 on CPU devices, else 1
+    /// @param blocks  16 rays may sample from copies of the voxels around them (kernels/include/block.clh)
+    explicit OpenClRenderer(std::shared_ptr<ComputeDevice> device, int lanes = 0, bool blocks = true);
     ~OpenClRenderer();
 
     /// @pre check(scene) and check(plan, scene) passed; the mode is not shear_warp
@@ -47,18 +49,21 @@ private:
     struct Output;
     struct Classes;
     struct Cast;
+    struct Caster;
 
     void hold_volume(const Volume& volume);
     void hold_classes(const Scene& scene);
     void make_tables(const Scene& scene, double step_mm);
-    cl::Kernel& kernel(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool count, bool tiles);
+    bool takes_blocks(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool tiles) const;
+    Caster& caster(const Scene& scene, const Plan& plan, const BoundStructure& structure, bool count, bool tiles);
     void hold_bricks(const Scene& scene, const Plan& plan);
     void hold_output(glm::ivec2 padded, bool count);
     void hold_counters(std::size_t pixels, bool count);
     Frame cast_in_place(const Cast& cast, const RayParams& params);
     Counters read_counters();
-    void bind(cl::Kernel& kernel, const Cast& cast, const RayParams& params);
-    void run_bands(cl::Kernel& kernel, const PixelRect& rect, const JobContext& job, int* height = nullptr);
+    const cl::Buffer& colors_and_opacities();
+    void bind(Caster& caster, const Cast& cast, const RayParams& params);
+    void run_bands(Caster& caster, const PixelRect& rect, const JobContext& job, int* height = nullptr);
     void run_tiles(cl::Kernel& kernel, int tiles, const JobContext& job);
     Frame read_frame(glm::ivec2 size);
     /// Casts the picture, or the tiles of a list, through whole volume or bricks, into the output held.
@@ -77,7 +82,8 @@ private:
     ProgramLibrary library_;
     StructureCache structures_;
     int lanes_;
-    std::map<std::string, cl::Kernel> kernels_;
+    bool blocks_;
+    std::map<std::string, Caster> casters_;
     std::unique_ptr<DeviceVolume> volume_;  ///< of the volume held whole
     std::unique_ptr<BrickStream> bricks_;   ///< or in bricks
     std::shared_ptr<const BrickIndex> index_;
