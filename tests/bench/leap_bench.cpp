@@ -180,7 +180,8 @@ void render(const BenchScene& bench, const std::shared_ptr<ComputeDevice>& devic
     }
     // A renderer each: one keeps one leap volume.
     std::vector<std::unique_ptr<OpenClRenderer>> renderers;
-    for (std::size_t i = 0; i < rows.size(); ++i) renderers.push_back(std::make_unique<OpenClRenderer>(device));
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        renderers.push_back(std::make_unique<OpenClRenderer>(device, 0, false));
     const std::vector<Camera> turn = full_turn(bench.scene.camera, views);
     for (int round = -1; round < rounds; ++round)  // round -1 builds, compiles and compares
         for (const Camera& view : std::span(turn).first(round < 0 ? 1 : turn.size())) {

@@ -168,7 +168,7 @@ int main(int argc, char** argv) {
     }
     fmt::print("{}: {}^3 voxels, 512x512 pixels, {} views, {} rounds; errors at 256x256\n", device->info().name, size,
                views, rounds);
-    OpenClRenderer renderer(device);
+    OpenClRenderer renderer(device, 0, false);  // methods by themselves
     for (const char* name : {"casting", "head"}) {
         const Volume volume = make_sample(name, {.size = size}).volume;
         Scene scene = default_scene(volume, compute_statistics(volume));

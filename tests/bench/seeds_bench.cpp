@@ -1,6 +1,7 @@
 // The figures the published methods' authors report, measured here on the same kind of scene (docs/seeds.md): gains
 // over plain casting on the same device, frames in turn, medians over an orbit. Times are processor time of all
-// threads, which other programs on the machine disturb least.
+// threads, which other programs on the machine disturb least. Without blocks (kernels/include/block.clh), which no
+// author had: methods by themselves.
 //   bench_seeds [levoy|es|lesar|memory|rebuild] [SIZE [VIEWS]]      all of them, 256, 6
 #include <fmt/format.h>
 
@@ -40,7 +41,7 @@ struct Way {
 class SeedsBench {
 public:
     SeedsBench(std::shared_ptr<ComputeDevice> device, int size, int views)
-        : engine_(std::move(device)), size_(size), views_(views) {
+        : engine_(std::move(device), false), size_(size), views_(views) {
         fmt::print("{}: {} views, medians\n", engine_.device_name(), views_);
     }
 

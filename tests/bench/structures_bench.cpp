@@ -113,6 +113,6 @@ int main(int argc, char** argv) {
     }
     fmt::print("{}: {}^3 voxels, 512x512 pixels, step 0.5, {} views, {} rounds\n", device->info().name, size, views,
                rounds);
-    OpenClRenderer renderer(device);
+    OpenClRenderer renderer(device, 0, false);  // structures by themselves
     for (const BenchScene& scene : make_scenes(size)) run(scene, renderer, views, rounds);
 }
