@@ -99,7 +99,7 @@ INLINE Found best_between(global const voxel_t* volume, constant RayParams* p, c
 }
 
 /// What no ray of the packet needs to go below.
-INLINE float needed(const Rays* r, VF best) { return least_of_lanes(MASK(r->end > r->first) ? best : (VF)(INFINITY)); }
+INLINE float needed(const Rays* r, VF best) { return min_of_lanes(MASK(r->end > r->first) ? best : (VF)(INFINITY)); }
 
 typedef struct {
     Group group;
