@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/io/dicom_codestream.h"
 #include "core/io/dicom_gdcm.h"
 
 namespace lacuna::dicom {
@@ -99,6 +100,7 @@ void decode_each(DcmDataset& data, const File& file, int count, const FrameSink&
 void decode_frames(const File& file, int count, const FrameSink& sink, const JobContext& job) {
     prepare_dcmtk();
     if (file.syntax_uid == UID_JPEG2000LosslessOnlyTransferSyntax || file.syntax_uid == UID_JPEG2000TransferSyntax) {
+        check_codestreams(file);
         decode_by_gdcm(file, count, sink, job);
         return;
     }
@@ -107,6 +109,7 @@ void decode_frames(const File& file, int count, const FrameSink& sink, const Job
                     file.path.string() + " is compressed in a way that cannot be read (transfer syntax " +
                         file.syntax_name + ", " + file.syntax_uid + "); export it uncompressed.",
                     file.path.string());
+    check_codestreams(file);
     DcmFileFormat format;
     if (format.loadFile(file.path.c_str()).bad()) throw_damaged(file, "the file is cut short or damaged");
     DcmDataset& data = *format.getDataset();

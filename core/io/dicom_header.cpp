@@ -66,6 +66,7 @@ std::uint32_t number_at(const std::byte* at, int bytes, bool big_endian) {
 /// One element of the pixel group: its number, where its value starts, how long that is.
 struct ElementHead {
     std::uint32_t element = 0, length = 0, bytes = 0;
+    bool words = true;  ///< its VR is OW, as it is without a VR
 };
 
 /// The head of the pixel group's element at `offset`; none if something else is there.
@@ -82,6 +83,7 @@ std::optional<ElementHead> element_head(const RandomAccessFile& file, std::uint6
         if (got < 12) return std::nullopt;
         found.length = number_at(head.data() + 8, 4, big);
         found.bytes = 12;
+        found.words = vr == "OW";
     } else {
         found.length = number_at(head.data() + 6, 2, big);
     }
@@ -108,6 +110,7 @@ bool locate_pixels(const RandomAccessFile& bytes, std::uint64_t stopped_at, cons
             file.pixel_bytes = head->length;
             file.direct = !syntax.isEncapsulated() && head->length != k_undefined_length;
             file.big_endian = syntax.getByteOrder() == EBO_BigEndian;
+            file.words = head->words;
             return true;
         }
         const std::uint64_t next = value_at + head->length;

@@ -78,6 +78,7 @@ struct File {
     std::shared_ptr<const ModalityLut> lut;  ///< replaces the frames' rescale
     bool direct = false;                     ///< pixels lie uncompressed in the file, from pixel_offset on
     bool big_endian = false;
+    bool words = false;  ///< pixels are stored as words of 16 bits (VR OW), whatever their own width
     std::uint64_t pixel_offset = 0, pixel_bytes = 0, file_bytes = 0;
     std::vector<std::pair<std::string, std::string>> component;
     std::string fault;          ///< why the file cannot be read, one sentence part; empty: sound

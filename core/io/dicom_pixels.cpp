@@ -32,11 +32,25 @@ void swap_bytes(std::span<std::byte> bytes, int word) {
         std::reverse(bytes.begin() + std::ptrdiff_t(i), bytes.begin() + std::ptrdiff_t(i) + word);
 }
 
+/// Fills `target` with the bytes from `first` on of the pixels, in the order of their values: words that hold several
+/// pixels hold the first in their lower half (PS3.5 8.1.1), which a big-endian file stores second.
+void read_bytes(const RandomAccessFile& bytes, const File& file, std::uint64_t first, std::span<std::byte> target) {
+    const bool halves = file.big_endian && file.words && file.pixels.bits_allocated <= 8;
+    if (!halves) {
+        if (bytes.read(file.pixel_offset + first, target) != target.size()) throw_cut_short(file);
+        return;
+    }
+    const std::uint64_t from = first / 2 * 2, end = (first + target.size() + 1) / 2 * 2;
+    std::vector<std::byte> words(std::size_t(end - from));
+    if (bytes.read(file.pixel_offset + from, words) != words.size()) throw_cut_short(file);
+    swap_bytes(words, 2);
+    std::memcpy(target.data(), words.data() + (first - from), target.size());
+}
+
 /// Reads one uncompressed frame's bytes as they lie in the file, in the machine's byte order.
 void read_direct(const RandomAccessFile& bytes, const File& file, int frame, std::span<std::byte> target) {
     const auto each = std::size_t(file.pixels.frame_bytes());
-    const std::uint64_t offset = file.pixel_offset + std::uint64_t(each) * std::uint64_t(frame);
-    if (bytes.read(offset, target.first(each)) != each) throw_cut_short(file);
+    read_bytes(bytes, file, std::uint64_t(each) * std::uint64_t(frame), target.first(each));
     if (file.big_endian && file.pixels.bits_allocated > 8)
         swap_bytes(target.first(each), file.pixels.bits_allocated / 8);
 }
@@ -45,7 +59,7 @@ void read_direct(const RandomAccessFile& bytes, const File& file, int frame, std
 void read_bits(const RandomAccessFile& bytes, const File& file, int frame, std::span<std::byte> target) {
     const std::uint64_t count = std::uint64_t(file.pixels.pixels()), first = count * std::uint64_t(frame);
     std::vector<std::byte> packed(std::size_t((first % 8 + count + 7) / 8));
-    if (bytes.read(file.pixel_offset + first / 8, packed) != packed.size()) throw_cut_short(file);
+    read_bytes(bytes, file, first / 8, packed);
     for (std::uint64_t i = 0; i < count; ++i) {
         const std::uint64_t bit = first % 8 + i;
         target[i] = (packed[bit / 8] >> int(bit % 8)) & std::byte(1);

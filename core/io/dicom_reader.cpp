@@ -206,6 +206,15 @@ void add_warnings(std::vector<Warning>& warnings, const SeriesScan& scan, const 
         warnings.push_back(
             {fmt::format("{} files or folders may not be opened (permission denied) and are left out: {}.",
                          scan.locked.size(), listed(scan.locked))});
+    const auto longer = std::count_if(scan.files.begin(), scan.files.end(), [](const File& file) {
+        const auto bits = std::uint64_t(file.pixels.pixels()) * std::uint64_t(file.pixels.bits_allocated);
+        return file.direct && file.pixel_bytes > (bits * file.frames.size() + 7) / 8 + 1;  // padded to an even length
+    });
+    if (longer > 0)
+        warnings.push_back(
+            {fmt::format("{} of {} files hold more pixels than rows, columns and frames say; check that the picture is "
+                         "whole and not skewed.",
+                         longer, scan.files.size())});
     if (loaded.padding_voxels > 0)
         warnings.push_back(
             {fmt::format("{} voxels are padding, not measured; they hold the smallest measured value {:g}.",
