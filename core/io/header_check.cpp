@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <bit>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/io/length_unit.h"
 #include "core/io/raw_reader.h"
 #include "core/io/text_fields.h"
 
@@ -80,6 +82,25 @@ void check_spacing(const fs::path& file, const std::string& key, const std::stri
     }
 }
 
+/// Whether a name stands for several files: "LIST", or a pattern such as slice%03d.raw; not if there is such a file.
+bool is_list(const fs::path& header, const std::string& named) {
+    std::error_code ec;
+    return (named.starts_with("LIST") || named.find('%') != std::string::npos) &&
+           !fs::is_regular_file(header.parent_path() / named, ec);
+}
+
+void warn_of_spacing(HeaderFacts& facts) {
+    facts.warnings.push_back({"The voxel spacing is not stated; 1 x 1 x 1 mm is assumed.", 0});
+}
+
+/// The factor of a unit named in a header; an unknown one is told and taken as mm.
+double mm_of(const std::string& unit, HeaderFacts& facts) {
+    if (trimmed(unit).empty()) return 1;
+    if (const auto mm = mm_per_unit(unit)) return *mm;
+    facts.warnings.push_back({"The header gives lengths in '" + unit + "', which is no known unit; mm is assumed.", 0});
+    return 1;
+}
+
 struct MetaHeader {
     Fields fields;
     std::size_t end = 0;  ///< bytes of the header
@@ -123,11 +144,51 @@ std::uint64_t meta_type_bytes(const fs::path& file, const std::string& type) {
 
 fs::path meta_image_data_file(const fs::path& file) {
     const std::string named = field(meta_header(file).fields, "ElementDataFile");
-    if (named == "LOCAL" || named == "Local" || named == "local" || named.starts_with("LIST") ||
-        named.find('%') != std::string::npos)
-        return {};
+    if (lower_case(named) == "local" || is_list(file, named)) return {};
     return file.parent_path() / named;
 }
+
+namespace {
+
+/// Text in place of bytes: the library takes numbers that are missing for zeros.
+void check_numbers(const fs::path& header, const fs::path& data, std::uint64_t from, std::uint64_t need) {
+    std::ifstream in(data, std::ios::binary);
+    in.seekg(std::streamoff(from));
+    std::uint64_t have = 0;
+    bool inside = false;
+    for (std::vector<char> piece(std::size_t(1) << 20); in;) {
+        in.read(piece.data(), std::streamsize(piece.size()));
+        for (std::streamsize i = 0; i < in.gcount(); ++i) {
+            const bool blank = trimmed(std::string_view(&piece[std::size_t(i)], 1)).empty();
+            have += !blank && !inside;
+            inside = !blank;
+        }
+    }
+    if (have < need)
+        refuse(header, "its " + std::to_string(need) + " voxels are stored as text, but there are " +
+                           std::to_string(have) + " numbers; the file is cut or its sizes are wrong");
+}
+
+bool meta_big_endian(const fs::path& file, const Fields& f) {
+    const std::string data = field(f, "BinaryDataByteOrderMSB"), element = field(f, "ElementByteOrderMSB");
+    if (!data.empty() && !element.empty() && says_true(data) != says_true(element))
+        refuse(file, "its BinaryDataByteOrderMSB and ElementByteOrderMSB contradict each other");
+    return says_true(data) || says_true(element);
+}
+
+void read_meta_scales(const Fields& f, HeaderFacts& facts) {
+    if (field(f, "ElementSpacing").empty() && field(f, "ElementSize").empty()) warn_of_spacing(facts);
+    facts.mm_per_spacing = facts.mm_per_origin = glm::dvec3(mm_of(field(f, "DistanceUnits"), facts));
+    const std::string slope = field(f, "ElementToIntensityFunctionSlope"),
+                      offset = field(f, "ElementToIntensityFunctionOffset");
+    if (number_in<double>(slope).value_or(1) != 1 || number_in<double>(offset).value_or(0) != 0)
+        facts.warnings.push_back({"The header names a value scale (slope " + (slope.empty() ? "1" : slope) +
+                                      ", offset " + (offset.empty() ? "0" : offset) +
+                                      "), which readers of MetaImage leave out; the values are as stored.",
+                                  0});
+}
+
+}  // namespace
 
 HeaderFacts check_meta_image(const fs::path& file) {
     const MetaHeader header = meta_header(file);
@@ -139,27 +200,35 @@ HeaderFacts check_meta_image(const fs::path& file) {
     if (const auto channels = field(f, "ElementNumberOfChannels"); !channels.empty() && channels != "1")
         throw Error(Errc::unsupported, "Cannot read " + file.string() + ": it has " + channels +
                                            " values a voxel; only scalar volumes can be opened.");
-    std::uint64_t need = meta_type_bytes(file, field(f, "ElementType"));
+    const std::uint64_t word = meta_type_bytes(file, field(f, "ElementType"));
+    std::uint64_t need = word;
     for (const std::int64_t n : *dims) need = checked_bytes(file.string(), n, 1, 1, need);
+    HeaderFacts facts;
+    read_meta_scales(f, facts);
     const std::string named = field(f, "ElementDataFile");
     const fs::path data = meta_image_data_file(file);
-    const bool compressed = says_true(field(f, "CompressedData"));
     const bool local = data.empty() && lower_case(named) == "local";
-    if (data.empty() && !local) return {};  // a list or a pattern: the library reports what is missing
-    std::uint64_t have = local ? fs::file_size(file) - header.end : size_or_refuse(file, data, named);
+    if (data.empty() && !local) return facts;  // a list or a pattern: the library reports what is missing
+    const std::uint64_t before = local ? header.end : 0;
+    const std::uint64_t end = local ? fs::file_size(file) : size_or_refuse(file, data, named);
+    const bool packed = says_true(field(f, "CompressedData"));
     const std::int64_t skip = number_in<std::int64_t>(field(f, "HeaderSize")).value_or(0);
-    const bool binary = field(f, "BinaryData").empty() || says_true(field(f, "BinaryData"));
-    HeaderFacts facts;
-    if (binary && !compressed) {
-        const bool big = says_true(field(f, "BinaryDataByteOrderMSB")) || says_true(field(f, "ElementByteOrderMSB"));
-        const std::uint64_t before = skip < 0 ? have - std::min(have, need) : std::uint64_t(skip);
-        facts.plain = {local ? file : data, (local ? header.end : 0) + before, big};
+    StoredVoxels voxels{local ? file : data, before, 0, need, packed, false, meta_big_endian(file, f)};
+    if (skip > 0) {  // counted from the file's first byte, of a header of its own too
+        if (std::uint64_t(skip) > end || std::uint64_t(skip) < before)
+            refuse(file, "its HeaderSize " + std::to_string(skip) + " does not lie within the data");
+        voxels.offset = std::uint64_t(skip);
     }
-    if (skip < 0) return facts;  // -1: the voxels are the file's last bytes
-    if (std::uint64_t(skip) > have)
-        refuse(file, "its HeaderSize " + std::to_string(skip) + " is longer than the data file");
-    if (binary) check_length(file, have - std::uint64_t(skip), need, compressed);
-    if (compressed) facts.compressed = {local ? file : data, (local ? header.end : 0) + std::uint64_t(skip), need};
+    if (!field(f, "BinaryData").empty() && !says_true(field(f, "BinaryData"))) {
+        check_numbers(file, voxels.file, voxels.offset, need / word);
+        return facts;
+    }
+    if (skip < 0) {  // -1: the voxels are the file's last bytes
+        if (packed) refuse(file, "its HeaderSize -1 does not go with compressed voxels");
+        if (end - before > need) voxels.offset = end - need;
+    }
+    check_length(file, end - voxels.offset, need, packed);
+    facts.voxels = voxels;
     return facts;
 }
 
@@ -207,6 +276,74 @@ std::uint64_t nrrd_type_bytes(const fs::path& file, const std::string& type) {
 
 }  // namespace
 
+namespace {
+
+/// The offset behind so many lines of a file.
+std::uint64_t behind_lines(const fs::path& header, const fs::path& data, std::uint64_t offset, std::int64_t lines) {
+    std::ifstream in(data, std::ios::binary);
+    in.seekg(std::streamoff(offset));
+    for (; lines > 0; --lines) {
+        char c = 0;
+        while (in.get(c) && c != '\n') ++offset;
+        if (!in) refuse(header, "its data have fewer lines than it says to skip");
+        ++offset;
+    }
+    return offset;
+}
+
+/// The texts between quotation marks, as NRRD writes units.
+std::vector<std::string> quoted(const std::string& text) {
+    std::vector<std::string> found;
+    for (std::size_t from = text.find('"'); from != std::string::npos; from = text.find('"', from)) {
+        const std::size_t to = text.find('"', from + 1);
+        if (to == std::string::npos) break;
+        found.push_back(text.substr(from + 1, to - from - 1));
+        from = to + 1;
+    }
+    return found;
+}
+
+/// Units of length: those of space, or those of each axis where its spacing is a number alone.
+void read_nrrd_units(const fs::path& file, const Fields& f, HeaderFacts& facts) {
+    const bool in_space = f.contains("space directions");
+    const auto units = quoted(field(f, in_space ? "space units" : "units"));
+    for (std::size_t a = 0; a < std::min<std::size_t>(3, units.size()); ++a) {
+        if (a > 0 && units[a] == units[0]) {
+            facts.mm_per_spacing[int(a)] = facts.mm_per_spacing[0];
+            continue;
+        }
+        if (in_space && a > 0) refuse(file, "its space units differ from axis to axis");
+        facts.mm_per_spacing[int(a)] = mm_of(units[a], facts);
+    }
+    facts.mm_per_origin = facts.mm_per_spacing;
+}
+
+/// Spacing and origin by the positions of both ends (teem's "axis mins" and "axis maxs").
+void read_nrrd_ends(const fs::path& file, const Fields& f, const std::vector<std::int64_t>& sizes, HeaderFacts& facts) {
+    const auto text = [&](const char* spaced, const char* joined) {
+        return f.contains(spaced) ? field(f, spaced) : field(f, joined);
+    };
+    const auto lo = numbers_in<double>(text("axis mins", "axismins")),
+               hi = numbers_in<double>(text("axis maxs", "axismaxs"));
+    const std::size_t axes = std::min<std::size_t>(3, sizes.size());
+    if (!lo || !hi || lo->size() < axes || hi->size() < axes) return warn_of_spacing(facts);
+    const auto centerings = split(field(f, f.contains("centerings") ? "centerings" : "centers"), " \t");
+    glm::dvec3 spacing(1), origin(0);
+    for (std::size_t a = 0; a < axes; ++a) {
+        const bool node = a < centerings.size() && lower_case(centerings[a]) == "node";
+        const double steps = double(node ? std::max<std::int64_t>(1, sizes[a] - 1) : sizes[a]);
+        const double step = ((*hi)[a] - (*lo)[a]) / steps;
+        if (!(step > 0 && std::isfinite(step)))
+            refuse(file, "its axis mins and axis maxs make no spacing, which must be a positive number of mm");
+        spacing[int(a)] = step;
+        origin[int(a)] = (*lo)[a] + (node ? 0 : step / 2);
+    }
+    facts.spacing = spacing;
+    facts.origin = origin;
+}
+
+}  // namespace
+
 HeaderFacts check_nrrd(const fs::path& file) {
     const NrrdHeader header = nrrd_header(file);
     const Fields& f = header.fields;
@@ -215,31 +352,37 @@ HeaderFacts check_nrrd(const fs::path& file) {
     if (!sizes || sizes->empty()) refuse(file, "its sizes '" + field(f, "sizes") + "' are no whole numbers");
     std::uint64_t need = nrrd_type_bytes(file, field(f, "type"));
     for (const std::int64_t n : *sizes) need = checked_bytes(file.string(), n, 1, 1, need);
+    HeaderFacts facts;
+    if (!f.contains("spacings") && !f.contains("space directions")) read_nrrd_ends(file, f, *sizes, facts);
+    read_nrrd_units(file, f, facts);
 
     std::string named = field(f, "data file");
     if (named.empty()) named = field(f, "datafile");
     const bool detached = f.contains("data file") || f.contains("datafile");
-    if (detached && (named.starts_with("LIST") || named.find('%') != std::string::npos)) return {};
-    const std::uint64_t have =
-        detached ? size_or_refuse(file, file.parent_path() / named, named) : fs::file_size(file) - header.end;
+    if (detached && is_list(file, named)) return facts;
+    const fs::path data = detached ? file.parent_path() / named : file;
+    const std::uint64_t end = detached ? size_or_refuse(file, data, named) : fs::file_size(file);
     const std::string encoding = lower_case(field(f, "encoding"));
     const auto skips = [&](const char* spaced, const char* joined) {
         const std::string text = f.contains(spaced) ? field(f, spaced) : field(f, joined);
         return number_in<std::int64_t>(text).value_or(0);
     };
-    const std::int64_t skip = skips("byte skip", "byteskip");
-    if (skips("line skip", "lineskip") != 0 || skip < 0) return {};
-    HeaderFacts facts;
-    if (encoding == "raw") {
-        check_length(file, have - std::min(have, std::uint64_t(skip)), need, false);
-        facts.plain = {detached ? file.parent_path() / named : file, (detached ? 0 : header.end) + std::uint64_t(skip),
-                       lower_case(field(f, "endian")) == "big"};
+    const std::int64_t skip = skips("byte skip", "byteskip"), lines = skips("line skip", "lineskip");
+    StoredVoxels voxels{
+        data, detached ? 0 : header.end, 0, need, encoding != "raw", false, lower_case(field(f, "endian")) == "big"};
+    if (encoding != "raw" && encoding != "gzip" && encoding != "gz") return facts;
+    if (lines > 0) voxels.offset = behind_lines(file, data, voxels.offset, lines);
+    if (voxels.packed) {
+        if (skip < 0) refuse(file, "its byte skip of -1 does not go with compressed voxels");
+        voxels.skip = std::uint64_t(skip);
+        if (__builtin_add_overflow(need, voxels.skip, &need)) refuse(file, "its byte skip is too large");
+    } else if (skip < 0) {  // -1: the voxels are the file's last bytes
+        if (end - voxels.offset > need) voxels.offset = end - need;
+    } else {
+        voxels.offset += std::min(std::uint64_t(skip), end - voxels.offset);
     }
-    if (encoding == "gzip" || encoding == "gz") {
-        check_length(file, have, need, true);
-        facts.compressed = {detached ? file.parent_path() / named : file, detached ? 0 : header.end,
-                            need + std::uint64_t(skip)};
-    }
+    check_length(file, end - voxels.offset, need, voxels.packed);
+    facts.voxels = voxels;
     return facts;
 }
 
@@ -252,31 +395,62 @@ T swapped(T value) {
     return value;
 }
 
-nifti_1_header nifti_header(const fs::path& file) {
+/// The header in the machine's byte order; true: it was stored the other way round.
+std::pair<nifti_1_header, bool> nifti_header(const fs::path& file) {
     nifti_1_header h{};
     const std::unique_ptr<gzFile_s, int (*)(gzFile)> in(gzopen(file.c_str(), "rb"), gzclose);
     if (!in) throw Error(Errc::io, "Cannot read " + file.string() + ": " + std::strerror(errno) + ".");
-    if (gzread(in.get(), &h, sizeof h) != int(sizeof h)) refuse(file, "it is shorter than a NIfTI header of 348 bytes");
+    if (gzread(in.get(), &h, sizeof h) != int(sizeof h))
+        refuse(file, "it is cut short, or no NIfTI file: its header needs 348 bytes");
     if (h.sizeof_hdr == 540 || swapped(h.sizeof_hdr) == 540)
         throw Error(Errc::unsupported, "Cannot read " + file.string() + ": it is NIfTI-2; convert it to NIfTI-1.");
-    if (std::memcmp(h.magic, "n+1", 4) != 0 && std::memcmp(h.magic, "ni1", 4) != 0)
-        refuse(file, "it is no NIfTI file (its magic word is missing)");
-    if (h.dim[0] < 1 || h.dim[0] > 7) {
+    if (std::memcmp(h.magic, "ni1", 4) == 0)
+        throw Error(Errc::unsupported, "Cannot read " + file.string() +
+                                           ": its voxels lie in another file (.img); convert it to one .nii file.");
+    if (std::memcmp(h.magic, "n+1", 4) != 0) refuse(file, "it is no NIfTI file (its magic word is missing)");
+    const bool other_order = h.dim[0] < 1 || h.dim[0] > 7;
+    if (other_order) {
         for (short& d : h.dim) d = swapped(d);
         for (float& p : h.pixdim) p = swapped(p);
-        h.datatype = swapped(h.datatype);
-        h.bitpix = swapped(h.bitpix);
-        h.vox_offset = swapped(h.vox_offset);
+        for (float* f : {&h.vox_offset, &h.scl_slope, &h.scl_inter}) *f = swapped(*f);
+        for (short* s : {&h.datatype, &h.bitpix, &h.qform_code, &h.sform_code}) *s = swapped(*s);
     }
     if (h.dim[0] < 1 || h.dim[0] > 7) refuse(file, "its number of dimensions is not within 1 to 7");
-    return h;
+    return {h, other_order};
+}
+
+StoredType nifti_type(const fs::path& file, const nifti_1_header& h) {
+    static const std::pair<int, StoredType> k_types[] = {{DT_UINT8, StoredType::u8},    {DT_INT8, StoredType::i8},
+                                                         {DT_UINT16, StoredType::u16},  {DT_INT16, StoredType::i16},
+                                                         {DT_UINT32, StoredType::u32},  {DT_INT32, StoredType::i32},
+                                                         {DT_UINT64, StoredType::u64},  {DT_INT64, StoredType::i64},
+                                                         {DT_FLOAT32, StoredType::f32}, {DT_FLOAT64, StoredType::f64}};
+    for (const auto& [code, type] : k_types) {
+        if (code != h.datatype) continue;
+        if (std::size_t(h.bitpix) != 8 * size_of(type))
+            refuse(file, "its bitpix " + std::to_string(h.bitpix) + " does not fit its datatype " +
+                             std::to_string(h.datatype));
+        return type;
+    }
+    throw Error(Errc::unsupported, "Cannot read " + file.string() + ": its voxels are of datatype " +
+                                       std::to_string(h.datatype) +
+                                       " (colours, complex or single bits); only scalar volumes can be opened.");
+}
+
+std::uint64_t nifti_offset(const fs::path& file, const nifti_1_header& h) {
+    if (h.vox_offset == 0 || std::isnan(h.vox_offset)) return 352;  // what the format asks for at least
+    if (!(h.vox_offset >= 352 && h.vox_offset < 1e15f))
+        refuse(file, "its vox_offset is " + std::to_string(h.vox_offset) + ", but must be 352 at least");
+    return std::uint64_t(h.vox_offset);
 }
 
 }  // namespace
 
 HeaderFacts check_nifti(const fs::path& file) {
-    const nifti_1_header h = nifti_header(file);
-    std::uint64_t need = std::uint64_t(std::max<int>(h.bitpix, 8)) / 8;
+    const auto [h, other_order] = nifti_header(file);
+    HeaderFacts facts;
+    facts.type = nifti_type(file, h);
+    std::uint64_t need = size_of(*facts.type);
     for (int a = 1; a <= h.dim[0]; ++a) {
         need = checked_bytes(file.string(), h.dim[a], 1, 1, need);
         if (a > 3 && h.dim[a] > 1)
@@ -286,22 +460,23 @@ HeaderFacts check_nifti(const fs::path& file) {
             refuse(file, "its spacing pixdim[" + std::to_string(a) + "] is " + std::to_string(h.pixdim[a]) +
                              ", but spacings must be positive numbers of mm");
     }
-    HeaderFacts facts;
+    if (std::isfinite(h.scl_slope) && h.scl_slope != 0) {  // zero: no scale at all
+        facts.slope = h.scl_slope;
+        facts.intercept = std::isfinite(h.scl_inter) ? h.scl_inter : 0;
+    }
+    if (h.qform_code <= 0 && h.sform_code <= 0)
+        facts.warnings.push_back(
+            {"The file states no orientation (neither qform nor sform): left and right cannot be "
+             "known from it.",
+             0});
+    const bool packed = lower_case(file.extension().string()) == ".gz";
+    const bool swap = other_order == (std::endian::native == std::endian::little);
+    const std::uint64_t offset = nifti_offset(file, h);
+    // Readers agree to ignore bytes behind the voxels.
+    facts.voxels = StoredVoxels{file, packed ? 0 : offset, packed ? offset : 0, need, packed, true, swap};
     std::error_code ec;
     const std::uint64_t have = fs::file_size(file, ec);
-    if (std::memcmp(h.magic, "n+1", 4) == 0) {
-        const bool compressed = lower_case(file.extension().string()) == ".gz";
-        const auto offset = std::uint64_t(std::max(352.0f, std::isfinite(h.vox_offset) ? h.vox_offset : 0.0f));
-        if (compressed) {
-            check_length(file, have, need, true);
-            facts.compressed = {file, 0, need + offset, true};
-        } else if (have < need + offset) {  // readers agree to ignore bytes behind the voxels
-            check_length(file, have, need + offset, false);
-        }
-    }
-    const short t = h.datatype;
-    facts.stored_as_integer = t == DT_UINT8 || t == DT_INT16 || t == DT_INT32 || t == DT_INT8 || t == DT_UINT16 ||
-                              t == DT_UINT32 || t == DT_INT64 || t == DT_UINT64;
+    if (packed || have < need + offset) check_length(file, have, need + (packed ? 0 : offset), packed);
     return facts;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
-#include "core/io/compressed_check.h"
+#include "core/io/stored_voxels.h"
+#include "core/volume/volume.h"
 
 namespace lacuna {
 
@@ -14,18 +15,15 @@ namespace lacuna {
 /// The data file an .mhd names, or an empty path if the data are inside, in a list or in a pattern of files.
 std::filesystem::path meta_image_data_file(const std::filesystem::path& header);
 
-/// Voxels that lie in a file as they are.
-struct PlainData {
-    std::filesystem::path file;
-    std::uint64_t offset = 0;  ///< bytes before the first voxel
-    bool big_endian = false;
-};
-
-/// What a header says that ITK does not tell.
+/// What a header says that ITK does not tell, or not right.
 struct HeaderFacts {
-    bool stored_as_integer = false;            ///< NIfTI: the voxels in the file, before any scaling
-    std::optional<CompressedData> compressed;  ///< where the packed voxels lie, if they are packed
-    std::optional<PlainData> plain;            ///< or the voxels as they are, if they lie in one file (not of NIfTI)
+    std::optional<StoredVoxels> voxels;         ///< where they lie, if in one file and in binary
+    std::optional<StoredType> type;             ///< NIfTI: of the voxels in the file
+    double slope = 1, intercept = 0;            ///< NIfTI: value = stored * slope + intercept
+    glm::dvec3 mm_per_spacing{1};               ///< the header's lengths are in this unit along each axis
+    glm::dvec3 mm_per_origin{1};                ///< and its position
+    std::optional<glm::dvec3> spacing, origin;  ///< stated in a way that ITK does not take
+    std::vector<Warning> warnings;
 };
 
 HeaderFacts check_meta_image(const std::filesystem::path& header);

@@ -4,7 +4,7 @@
 #include <itkNiftiImageIO.h>
 #include <itkNrrdImageIO.h>
 
-#include <future>
+#include <algorithm>
 #include <memory>
 #include <new>
 
@@ -39,8 +39,12 @@ void guarded(const fs::path& file, Fn&& fn) {
     try {
         fn();
     } catch (const itk::ExceptionObject& e) {
-        throw Error(Errc::bad_input, "Cannot read " + file.string() + ": it is damaged or cut short (" +
-                                         cause_of(e.GetDescription()) + ").");
+        const std::string cause = cause_of(e.GetDescription());
+        if (cause.find("orthonormal") != std::string::npos)
+            throw Error(Errc::bad_input, "Cannot read " + file.string() +
+                                             ": its axes are not at right angles, or contradict its voxel spacing; "
+                                             "resample it to a rectangular grid first.");
+        throw Error(Errc::bad_input, "Cannot read " + file.string() + ": it is damaged or cut short (" + cause + ").");
     } catch (const std::bad_alloc&) {
         throw Error(Errc::out_of_memory, "Cannot read " + file.string() + ": not enough memory.");
     }
@@ -63,9 +67,8 @@ itk::ImageIOBase::Pointer make_io(ItkFormat format) {
 struct OpenedImage {
     itk::ImageIOBase::Pointer io;
     GridGeometry geometry;
-    bool integers_rescaled = false;
-    std::optional<CompressedData> compressed;
-    std::optional<PlainData> plain;
+    HeaderFacts facts;
+    std::optional<StoredType> type;  ///< of the voxels in the file; none: read by the library alone
 };
 
 GridGeometry geometry_of(const fs::path& file, const itk::ImageIOBase& io) {
@@ -89,14 +92,49 @@ GridGeometry geometry_of(const fs::path& file, const itk::ImageIOBase& io) {
     return g;
 }
 
+/// ITK's number types by their width; none of those no volume is made of.
+std::optional<StoredType> stored_type(const itk::ImageIOBase& io) {
+    using Component = itk::IOComponentEnum;
+    const auto one_of = [&](std::initializer_list<StoredType> types) -> std::optional<StoredType> {
+        for (const StoredType type : types)
+            if (size_of(type) == io.GetComponentSize()) return type;
+        return std::nullopt;
+    };
+    switch (io.GetComponentType()) {
+        case Component::UCHAR:
+        case Component::USHORT:
+        case Component::UINT:
+        case Component::ULONG:
+        case Component::ULONGLONG:
+            return one_of({StoredType::u8, StoredType::u16, StoredType::u32, StoredType::u64});
+        case Component::CHAR:
+        case Component::SHORT:
+        case Component::INT:
+        case Component::LONG:
+        case Component::LONGLONG:
+            return one_of({StoredType::i8, StoredType::i16, StoredType::i32, StoredType::i64});
+        case Component::FLOAT:
+        case Component::DOUBLE:
+            return one_of({StoredType::f32, StoredType::f64});
+        default:
+            break;
+    }
+    return std::nullopt;
+}
+
+/// Puts right what the library does not take from the header.
+void correct_geometry(const HeaderFacts& facts, GridGeometry& geometry) {
+    if (facts.spacing) geometry.spacing = *facts.spacing;
+    if (facts.origin) geometry.origin = *facts.origin;
+    geometry.spacing *= facts.mm_per_spacing;
+    geometry.origin *= facts.mm_per_origin;
+}
+
 OpenedImage open_image(const fs::path& file, ItkFormat format) {
     OpenedImage image;
-    HeaderFacts facts;
-    if (format == ItkFormat::meta_image) facts = check_meta_image(file);
-    if (format == ItkFormat::nrrd) facts = check_nrrd(file);
-    if (format == ItkFormat::nifti) facts = check_nifti(file);
-    image.compressed = facts.compressed;
-    image.plain = facts.plain;
+    if (format == ItkFormat::meta_image) image.facts = check_meta_image(file);
+    if (format == ItkFormat::nrrd) image.facts = check_nrrd(file);
+    if (format == ItkFormat::nifti) image.facts = check_nifti(file);
     image.io = make_io(format);
     guarded(file, [&] {
         image.io->SetFileName(file.string());
@@ -107,71 +145,109 @@ OpenedImage open_image(const fs::path& file, ItkFormat format) {
                                            std::to_string(image.io->GetNumberOfComponents()) +
                                            " values a voxel (colours or vectors); only scalar volumes can be opened.");
     image.geometry = geometry_of(file, *image.io);
-    using Component = itk::IOComponentEnum;
-    const auto type = image.io->GetComponentType();
-    image.integers_rescaled = facts.stored_as_integer && (type == Component::FLOAT || type == Component::DOUBLE);
+    correct_geometry(image.facts, image.geometry);
+    image.type = image.facts.type ? image.facts.type : stored_type(*image.io);
+    const std::uint64_t voxels = checked_bytes(file.string(), image.geometry.size.x, image.geometry.size.y,
+                                               image.geometry.size.z, image.type ? size_of(*image.type) : 1);
+    if (image.facts.voxels && (!image.type || image.facts.voxels->bytes != voxels))
+        throw Error(Errc::bad_input,
+                    "Cannot read " + file.string() + ": its header says twice, and differently, how large it is.");
     return image;
 }
 
-/// The voxel type ITK's component is read as without any conversion, if it is one of ours.
-std::optional<VoxelType> own_type(itk::IOComponentEnum component) {
-    using Component = itk::IOComponentEnum;
-    switch (component) {
-        case Component::UCHAR:
+/// The stored type as one of a volume's own, if it is.
+std::optional<VoxelType> own_type(StoredType type) {
+    switch (type) {
+        case StoredType::u8:
             return VoxelType::u8;
-        case Component::CHAR:
+        case StoredType::i8:
             return VoxelType::i8;
-        case Component::USHORT:
+        case StoredType::u16:
             return VoxelType::u16;
-        case Component::SHORT:
+        case StoredType::i16:
             return VoxelType::i16;
-        case Component::FLOAT:
+        case StoredType::f32:
             return VoxelType::f32;
-        default:
-            return std::nullopt;
-    }
-}
-
-template <class T>
-ConvertedVoxels read_and_convert(const fs::path& file, itk::ImageIOBase& io, std::int64_t count, bool whole_may_shrink,
-                                 const JobContext& job) {
-    VoxelBuffer wide(std::size_t(count) * sizeof(T));
-    guarded(file, [&] { io.Read(wide.data()); });
-    job.check();
-    return to_smallest<T>({reinterpret_cast<const T*>(wide.data()), std::size_t(count)}, whole_may_shrink, job);
-}
-
-ConvertedVoxels read_voxels(const fs::path& file, OpenedImage& image, const JobContext& job) {
-    using Component = itk::IOComponentEnum;
-    const std::int64_t count = image.geometry.voxel_count();
-    const bool shrink = image.integers_rescaled;
-    itk::ImageIOBase& io = *image.io;
-    const Component component = io.GetComponentType();
-    if (const auto type = own_type(component); type && !shrink) {
-        ConvertedVoxels out{*type, VoxelBuffer(std::size_t(count) * size_of(*type)), {}};
-        guarded(file, [&] { io.Read(out.voxels.data()); });
-        return out;
-    }
-    switch (component) {
-        case Component::FLOAT:
-            return read_and_convert<float>(file, io, count, shrink, job);
-        case Component::DOUBLE:
-            return read_and_convert<double>(file, io, count, shrink, job);
-        case Component::UINT:
-            return read_and_convert<std::uint32_t>(file, io, count, true, job);
-        case Component::INT:
-            return read_and_convert<std::int32_t>(file, io, count, true, job);
-        case Component::ULONG:
-        case Component::ULONGLONG:
-            return read_and_convert<std::uint64_t>(file, io, count, true, job);
-        case Component::LONG:
-        case Component::LONGLONG:
-            return read_and_convert<std::int64_t>(file, io, count, true, job);
         default:
             break;
     }
-    throw Error(Errc::unsupported, "Cannot read " + file.string() + ": its voxel type " +
-                                       itk::ImageIOBase::GetComponentTypeAsString(component) + " is not supported.");
+    return std::nullopt;
+}
+
+template <class Fn>
+decltype(auto) visit_stored(StoredType type, Fn&& fn) {
+    switch (type) {
+        case StoredType::u8:
+            return fn(std::uint8_t{});
+        case StoredType::i8:
+            return fn(std::int8_t{});
+        case StoredType::u16:
+            return fn(std::uint16_t{});
+        case StoredType::i16:
+            return fn(std::int16_t{});
+        case StoredType::u32:
+            return fn(std::uint32_t{});
+        case StoredType::i32:
+            return fn(std::int32_t{});
+        case StoredType::u64:
+            return fn(std::uint64_t{});
+        case StoredType::i64:
+            return fn(std::int64_t{});
+        case StoredType::f32:
+            return fn(float{});
+        case StoredType::f64:
+            break;
+    }
+    return fn(double{});
+}
+
+/// value = stored * slope + intercept, in the smallest type that holds whole numbers that were whole before.
+template <class T>
+ConvertedVoxels rescaled(VoxelBuffer stored, double slope, double intercept, const JobContext& job) {
+    const std::span<const T> from(reinterpret_cast<const T*>(stored.data()), stored.size() / sizeof(T));
+    VoxelBuffer values(from.size() * sizeof(float));
+    auto* const to = reinterpret_cast<float*>(values.data());
+    detail::in_chunks(std::int64_t(from.size()), job.part(0, 0.5), [&](std::int64_t first, std::int64_t end) {
+        for (std::int64_t i = first; i < end; ++i) to[i] = float(double(from[std::size_t(i)]) * slope + intercept);
+    });
+    stored = {};
+    return to_smallest<float>({to, values.size() / sizeof(float)}, std::is_integral_v<T>, job.part(0.5, 1));
+}
+
+/// All voxels as they lie in the file, in the machine's byte order.
+VoxelBuffer stored_voxels(const fs::path& file, const OpenedImage& image, const JobContext& job) {
+    const std::size_t word = size_of(*image.type);
+    VoxelBuffer voxels(std::size_t(image.geometry.voxel_count()) * word);
+    if (image.facts.voxels) {
+        read_stored(file, *image.facts.voxels, word, {voxels.data(), voxels.size()}, job);
+        return voxels;
+    }
+    itk::ImageIOBase& io = *image.io;
+    itk::ImageIORegion region(io.GetNumberOfDimensions());
+    for (unsigned a = 0; a < io.GetNumberOfDimensions(); ++a) region.SetSize(a, io.GetDimensions(a));
+    io.SetIORegion(region);
+    guarded(file, [&] { io.Read(voxels.data()); });
+    job.check();
+    return voxels;
+}
+
+ConvertedVoxels read_voxels(const fs::path& file, const OpenedImage& image, const JobContext& job) {
+    if (!image.type)
+        throw Error(Errc::unsupported, "Cannot read " + file.string() + ": its voxel type " +
+                                           itk::ImageIOBase::GetComponentTypeAsString(image.io->GetComponentType()) +
+                                           " is not supported.");
+    const HeaderFacts& facts = image.facts;
+    const bool scaled = facts.slope != 1 || facts.intercept != 0;
+    const auto own = own_type(*image.type);
+    VoxelBuffer stored = stored_voxels(file, image, job.part(0, own && !scaled ? 1 : 0.5));
+    if (own && !scaled) return {*own, std::move(stored), {}};
+    const JobContext rest = job.part(0.5, 1);
+    return visit_stored(*image.type, [&](auto tag) {
+        using T = decltype(tag);
+        if (scaled) return rescaled<T>(std::move(stored), facts.slope, facts.intercept, rest);
+        return to_smallest<T>({reinterpret_cast<const T*>(stored.data()), stored.size() / sizeof(T)},
+                              std::is_integral_v<T>, rest);
+    });
 }
 
 }  // namespace
@@ -180,13 +256,12 @@ glm::ivec3 itk_volume_size(const fs::path& file, ItkFormat format) { return open
 
 std::optional<Volume> open_itk_volume(const fs::path& file, ItkFormat format) {
     OpenedImage image = open_image(file, format);
-    const auto type = own_type(image.io->GetComponentType());
-    if (!image.plain || !type) return std::nullopt;
-    std::vector<Warning> warnings;
+    const auto type = image.type ? own_type(*image.type) : std::nullopt;
+    const std::optional<StoredVoxels>& voxels = image.facts.voxels;
+    if (!voxels || voxels->packed || !type || format == ItkFormat::nifti) return std::nullopt;
+    std::vector<Warning> warnings = std::move(image.facts.warnings);
     repair_grid(file.string(), image.geometry, warnings);
-    RawLayout layout{image.plain->file,   image.geometry, *type, image.plain->big_endian,
-                     image.plain->offset, true,           false};
-    Volume volume = open_raw(layout);
+    Volume volume = open_raw({voxels->file, image.geometry, *type, voxels->big_endian, voxels->offset, true, false});
     volume.name = file.filename().string();
     volume.warnings = std::move(warnings);
     return volume;
@@ -196,20 +271,13 @@ Volume read_itk_volume(const fs::path& file, ItkFormat format, const JobContext&
                        const std::function<void(std::uint64_t)>& room) {
     OpenedImage image = open_image(file, format);
     if (room) {
-        const auto type = own_type(image.io->GetComponentType());
+        const auto type = image.type ? own_type(*image.type) : std::nullopt;
         room(std::uint64_t(image.geometry.voxel_count()) * (type ? size_of(*type) : 1));
     }
-    std::vector<Warning> warnings;
+    std::vector<Warning> warnings = std::move(image.facts.warnings);
     repair_grid(file.string(), image.geometry, warnings);
-    itk::ImageIORegion region(image.io->GetNumberOfDimensions());
-    for (unsigned a = 0; a < image.io->GetNumberOfDimensions(); ++a) region.SetSize(a, image.io->GetDimensions(a));
-    image.io->SetIORegion(region);
     job.checkpoint(0, 1);
-    std::future<void> sound;  // checked beside the reading, on a core that would idle
-    if (image.compressed)
-        sound = std::async(std::launch::async, [&] { check_compressed(file, *image.compressed, {job.stop, nullptr}); });
-    ConvertedVoxels read = read_voxels(file, image, job.part(0.5, 1.0));
-    if (sound.valid()) sound.get();
+    ConvertedVoxels read = read_voxels(file, image, job);
     job.checkpoint(1, 1);
     if (!read.warning.empty()) warnings.push_back({read.warning, 0});
     Volume volume(image.geometry, read.type, std::move(read.voxels));

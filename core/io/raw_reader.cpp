@@ -177,7 +177,9 @@ std::uint64_t checked_file(const RawLayout& layout) {
     std::error_code ec;
     const std::uint64_t have = fs::file_size(layout.file, ec);
     if (ec) throw Error(Errc::io, "Cannot read " + name + ": " + ec.message() + ".");
-    const std::uint64_t need = bytes + layout.offset;
+    std::uint64_t need = 0;
+    if (__builtin_add_overflow(bytes, layout.offset, &need))
+        throw Error(Errc::bad_input, name + " cannot hold an offset of " + std::to_string(layout.offset) + " bytes.");
     if (layout.exact_size ? have != need : have < need)
         throw Error(Errc::bad_input, name + " has " + std::to_string(have) + " bytes, but " + std::to_string(n.x) +
                                          "x" + std::to_string(n.y) + "x" + std::to_string(n.z) + " voxels of " +

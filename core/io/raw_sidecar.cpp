@@ -4,6 +4,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/io/length_unit.h"
 #include "core/io/raw_reader.h"
 #include "core/io/text_fields.h"
 
@@ -117,11 +118,8 @@ VoxelType vgi_type(const fs::path& sidecar, const std::string& kind, const std::
 }
 
 double mm_per_vgi_unit(const fs::path& sidecar, const std::string& unit) {
-    static const std::pair<std::string_view, double> k_units[] = {{"", 1.0},           {"mm", 1.0},    {"m", 1000.0},
-                                                                  {"cm", 10.0},        {"um", 1e-3},   {"nm", 1e-6},
-                                                                  {"\xc2\xb5m", 1e-3}, {"inch", 25.4}, {"in", 25.4}};
-    for (const auto& [word, mm] : k_units)
-        if (lower_case(unit) == word) return mm;
+    if (trimmed(unit).empty()) return 1;
+    if (const auto mm = mm_per_unit(unit)) return *mm;
     throw Error(Errc::unsupported, sidecar.string() + " gives the resolution in '" + unit + "'; use mm.");
 }
 
