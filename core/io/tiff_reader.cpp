@@ -41,6 +41,8 @@ public:
     TiffFile& operator=(const TiffFile&) = delete;
 
     TIFF* get() const { return tiff_; }
+    /// What the library found wrong so far, if anything.
+    const std::string& message() const { return message_; }
     template <class T>
     T tag(std::uint32_t id, T otherwise = {}) const {
         T value = otherwise;
@@ -201,7 +203,13 @@ std::int64_t imagej_number(const TiffFile& file, std::string_view key, std::stri
 
 int page_count(const TiffFile& file) {
     const int pages = int(TIFFNumberOfDirectories(file.get()));
+    if (!file.message().empty())  // the library counts as far as it comes
+        file.refuse("its list of pages is damaged or cut short after page " + std::to_string(pages));
     TIFFSetDirectory(file.get(), 0);
+    const std::int64_t frames = imagej_number(file, "frames=");  // as many as pages: a stack named so
+    if (imagej_number(file, "channels=") > 1 || (frames > 1 && frames < imagej_number(file, "images=")))
+        file.refuse("ImageJ stored several channels or points of time in its pages; save one of them alone",
+                    Errc::unsupported);
     if (pages == 1 && imagej_number(file, "images=") > 1)
         file.refuse("ImageJ stored its " + std::to_string(imagej_number(file, "images=")) +
                         " slices behind one page; save it as raw or as an image sequence",
@@ -272,6 +280,7 @@ struct StackLayout {
     PageLayout page;
     std::vector<int> first_slice;  ///< of each file, and the total at the end
     std::optional<glm::dvec3> spacing;
+    bool turned = false;  ///< the first row is not the top one, or its first pixel not the left one
 };
 
 StackLayout stack_layout(const std::vector<fs::path>& files) {
@@ -279,6 +288,7 @@ StackLayout stack_layout(const std::vector<fs::path>& files) {
     StackLayout stack;
     stack.page = layout_of(file);
     stack.spacing = imagej_spacing(file);
+    stack.turned = file.tag<std::uint16_t>(TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT) != ORIENTATION_TOPLEFT;
     const int pages = page_count(file);
     stack.first_slice.push_back(0);
     if (files.size() == 1) {
@@ -362,6 +372,11 @@ Volume read_tiff(const std::vector<fs::path>& files, const JobContext& job) {
         geometry.spacing = *stack.spacing;
     else
         warnings.push_back({"The voxel spacing is not stated; 1 x 1 x 1 mm is assumed.", 0});
+    if (stack.turned)
+        warnings.push_back(
+            {"The pages are marked as stored mirrored or turned (TIFF's Orientation); rows and columns "
+             "were kept as they are stored.",
+             0});
     if (stack.page.photometric == PHOTOMETRIC_MINISWHITE)
         warnings.push_back({"The pages are marked white-is-zero; stored values were kept as they are.", 0});
     if (files.size() > 1) warn_of_gaps(files, warnings);

@@ -17,6 +17,7 @@ struct PageStyle {
     std::uint32_t tile = 0;
     const char* mode = "w";
     std::string description{};
+    std::uint16_t orientation = ORIENTATION_TOPLEFT;
     bool colour_palette = false;
 };
 
@@ -33,6 +34,7 @@ void write_pages(const Volume& v, const std::filesystem::path& file, int first, 
         TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, 1);
         TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, s.photometric);
         TIFFSetField(tiff, TIFFTAG_COMPRESSION, s.compression);
+        TIFFSetField(tiff, TIFFTAG_ORIENTATION, s.orientation);
         if (!s.description.empty()) {
             TIFFSetField(tiff, TIFFTAG_IMAGEDESCRIPTION, s.description.c_str());
             TIFFSetField(tiff, TIFFTAG_XRESOLUTION, 4.0);
@@ -212,4 +214,47 @@ TEST(TiffReader, PagesThatDifferAndFilesThatAreCutAreRefused) {
         }
     }
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(TiffReader, AListOfPagesThatBreaksOffIsRefused) {
+    const ScratchFolder f;
+    const Volume v = extreme_volume<std::uint8_t>(grid({5, 4, 3}));
+    write_pages(v, f / "v.tif", 0, 3, style_of(v.type()));
+    expect_same_voxels(v, open_volume((f / "v.tif").string()));
+    const std::string bytes = get_file(f / "v.tif");
+    for (std::size_t cut = 1; cut < bytes.size() / 2; cut += 7) {
+        put_file(f / "cut.tif", bytes.substr(0, bytes.size() - cut));
+        try {
+            const Volume read = open_volume((f / "cut.tif").string());
+            expect_same_voxels(v, read);  // what is gone was needed by nobody
+        } catch (const Error& e) {
+            EXPECT_EQ(e.code(), Errc::bad_input) << e.what();
+        }
+    }
+}
+
+TEST(TiffReader, PagesThatAreNoSlicesAreRefused) {
+    const ScratchFolder f;
+    const Volume v = extreme_volume<std::uint8_t>(grid({5, 4, 4}));
+    PageStyle style = style_of(v.type());
+    const auto open_with = [&](const std::string& more) {
+        style.description = "ImageJ=1.53t\nimages=4\n" + more;
+        write_pages(v, f / "v.tif", 0, 4, style);
+        return open_volume((f / "v.tif").string());
+    };
+    EXPECT_EQ(open_with("slices=4\n").geometry().size.z, 4);
+    EXPECT_EQ(open_with("frames=4\n").geometry().size.z, 4);
+    expect_error(Errc::unsupported, {"v.tif", "channels"}, [&] { open_with("channels=2\nslices=2\n"); });
+    expect_error(Errc::unsupported, {"v.tif", "time"}, [&] { open_with("slices=2\nframes=2\n"); });
+}
+
+TEST(TiffReader, MirroredPagesAreWarnedOf) {
+    const ScratchFolder f;
+    const Volume v = extreme_volume<std::uint8_t>(grid({5, 4, 2}));
+    PageStyle style = style_of(v.type());
+    write_pages(v, f / "v.tif", 0, 2, style);
+    EXPECT_FALSE(has_warning(open_volume((f / "v.tif").string()), "mirrored"));
+    style.orientation = ORIENTATION_BOTLEFT;
+    write_pages(v, f / "v.tif", 0, 2, style);
+    EXPECT_TRUE(has_warning(open_volume((f / "v.tif").string()), "mirrored"));
 }
