@@ -71,13 +71,14 @@ std::vector<Group> split_by_acquisition(Group group) {
     for (const Member& m : group) passes[m.slice.acquisition].push_back(m);
     if (passes.size() < 2) return {std::move(group)};
     const auto all = positions_along_normal(group);
-    if (all.size() != group.size() || find_step(all).regular()) return {std::move(group)};
+    const double same_mm = same_position_mm(group.front().slice.spacing);
+    if (all.size() != group.size() || find_step(all, {}, same_mm).regular()) return {std::move(group)};
     bool overlapping = false, sound = true, regular = true;
     std::vector<Group> parts;
     std::vector<std::vector<double>> ranges;
     for (auto& [key, part] : passes) {
         const auto along = positions_along_normal(part);
-        const StepFit fit = find_step(along);
+        const StepFit fit = find_step(along, {}, same_mm);
         sound = sound && fit.duplicates == 0;
         regular = regular && fit.regular() && part.size() >= 3;
         for (const auto& other : ranges) overlapping = overlapping || overlap(along, other);

@@ -16,14 +16,17 @@ namespace {
 constexpr double k_even_share = 0.02;       // of the step: slices nearer to their plane than this are on it
 constexpr double k_exact_share = 1e-3;      // of the step: below, the deviation is the rounding of decimal strings
 constexpr double k_duplicate_share = 0.01;  // of the step: nearer neighbours are the same slice twice
+constexpr double k_duplicate_px = 0.02;     // of the smaller pixel side: no scanner's step is as short, ...
+constexpr double k_rounding_mm = 0.01;      // ... and no two ways to write one position differ by more
 constexpr double k_shear_px = 0.1;          // drift within the plane that is worth resampling
 constexpr double k_exact_px = 0.01;
 constexpr int k_most_planes_a_slice = 4;  // bounds what gaps and uneven steps may blow a stack up to
 
-double usual_gap(std::span<const double> along) {
+/// The median of the gaps wider than `least`; 0 if there is none.
+double usual_gap(std::span<const double> along, double least) {
     std::vector<double> gaps;
     for (std::size_t i = 1; i < along.size(); ++i)
-        if (along[i] - along[i - 1] > 1e-6) gaps.push_back(along[i] - along[i - 1]);
+        if (along[i] - along[i - 1] > least) gaps.push_back(along[i] - along[i - 1]);
     if (gaps.empty()) return 0;
     const auto middle = gaps.begin() + std::ptrdiff_t((gaps.size() - 1) / 2);
     std::nth_element(gaps.begin(), middle, gaps.end());
@@ -81,15 +84,21 @@ StepFit fit_step(std::span<const double> along, std::span<const std::optional<in
 
 }  // namespace
 
-StepFit find_step(std::span<const double> along, std::span<const std::optional<int>> instances) {
-    const double base = usual_gap(along);
+double same_position_mm(const std::optional<glm::dvec2>& spacing_mm) {
+    constexpr double k_exact = 1e-6;
+    if (!spacing_mm) return k_exact;
+    return std::max(k_exact, std::min(k_rounding_mm, k_duplicate_px * std::min(spacing_mm->x, spacing_mm->y)));
+}
+
+StepFit find_step(std::span<const double> along, std::span<const std::optional<int>> instances, double same_mm) {
+    const double base = usual_gap(along, same_mm);
     if (along.size() < 2 || base <= 0) {
         StepFit fit;
         fit.planes.assign(along.size(), 0);
         fit.duplicates = std::max(0, int(along.size()) - 1);
         return fit;
     }
-    const double duplicate_limit = k_duplicate_share * base;
+    const double duplicate_limit = std::max(same_mm, k_duplicate_share * base);
     const StepFit usual = fit_step(along, instances, base, duplicate_limit);
     if (usual.uniform()) return usual;
     // Where most slices are missing the usual gap is a multiple of the step.
@@ -175,7 +184,8 @@ private:
     void drop_duplicates() {
         std::vector<double> all;
         for (const std::size_t s : plan_.order) all.push_back(along(s));
-        const double limit = std::max(1e-6, k_duplicate_share * usual_gap(all));
+        const double same_mm = same_position_mm(slices_.front().spacing);
+        const double limit = std::max(same_mm, k_duplicate_share * usual_gap(all, same_mm));
         std::vector<std::size_t> kept;
         for (const std::size_t s : plan_.order) {
             if (kept.empty() || along(s) - along(kept.back()) > limit) {
@@ -264,7 +274,7 @@ private:
         }
         std::vector<std::optional<int>> instances;
         for (const std::size_t s : plan_.order) instances.push_back(slices_[s].instance);
-        const StepFit fit = find_step(plan_.along_mm, instances);
+        const StepFit fit = find_step(plan_.along_mm, instances, same_position_mm(slices_.front().spacing));
         if (fit.uniform())
             lay_even(fit);
         else
@@ -282,7 +292,7 @@ private:
                     fmt::format("The slices leave a gap of {} between {} and {}, where their usual step is {}; add the "
                                 "missing slices or open the parts one by one.",
                                 mm_text(plan_.along_mm[widest] - plan_.along_mm[widest - 1]), name(widest - 1),
-                                name(widest), mm_text(usual_gap(plan_.along_mm))));
+                                name(widest), mm_text(usual_gap(plan_.along_mm, 0))));
     }
 
     void lay_even(const StepFit& fit) {

@@ -21,10 +21,16 @@ struct StepFit {
     bool regular() const { return uniform() && duplicates == 0 && missing == 0; }
 };
 
+/// How near (mm) two slices are one: passes over the same positions may write them with other digits. Two hundredths of
+/// a pixel, a hundredth of a mm at most; 1e-6 without a pixel spacing.
+double same_position_mm(const std::optional<glm::dvec2>& spacing_mm);
+
 /// Fits an even step to ascending positions (mm). Gaps that are whole multiples of the usual step are missing slices,
 /// unless more than a third of the gaps are such: then the slices were taken unevenly, and no step fits. `instances`
-/// (InstanceNumber, may be empty) can only confirm that slices are missing; they never order anything.
-StepFit find_step(std::span<const double> along_mm, std::span<const std::optional<int>> instances = {});
+/// (InstanceNumber, may be empty) can only confirm that slices are missing; they never order anything. Positions within
+/// `same_mm` of each other repeat each other.
+StepFit find_step(std::span<const double> along_mm, std::span<const std::optional<int>> instances = {},
+                  double same_mm = 1e-6);
 
 /// How found slices become a volume: a value, made without touching a pixel.
 struct StackPlan {

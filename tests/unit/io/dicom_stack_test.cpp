@@ -95,6 +95,37 @@ TEST(StackPlan, OfSeveralPassesOverTheSamePositionsOneStaysWhole) {
     }
 }
 
+TEST(StackPlan, PassesWhosePositionsDifferByRoundingAreOnePosition) {
+    // Passes over the same positions, written with other digits: as a float, to six digits, to two.
+    for (const double rounding : {1e-6, 1e-5, 1e-4, 0.0033})
+        for (const int passes : {2, 3, 5}) {
+            std::vector<glm::dvec3> positions;
+            std::vector<int> instances;
+            for (int place = 0; place < 6; ++place)
+                for (int pass = 0; pass < passes; ++pass) {
+                    positions.push_back({0, 0, 1.25 * place + rounding * ((pass + place) % passes) / (passes - 1.0)});
+                    instances.push_back(1 + 6 * pass + place);
+                }
+            auto slices = stack_at(positions);
+            for (std::size_t i = 0; i < slices.size(); ++i) slices[i].instance = instances[i];
+            const StackPlan plan = plan_stack(slices, {4, 6}, names_for(slices.size()));
+            EXPECT_EQ(plan.grid.size.z, 6) << rounding << " in " << passes;
+            EXPECT_NEAR(plan.grid.spacing.z, 1.25, rounding);
+            EXPECT_EQ(plan.duplicates.size(), std::size_t(6 * (passes - 1)));
+            for (const std::size_t kept : plan.order) EXPECT_LE(*slices[kept].instance, 6) << "of the first pass";
+        }
+}
+
+TEST(StackPlan, SlicesOfMicrometresAreNoRounding) {
+    auto slices = stack_at({{0, 0, 0}, {0, 0, 0.0007}, {0, 0, 0.0014}, {0, 0, 0.0021}});
+    for (Frame& f : slices) f.spacing = glm::dvec2(0.0007);
+    EXPECT_EQ(plan_stack(slices, {4, 6}, names_for(4)).grid.size.z, 4);
+    // Nor do pixels that claim metres make neighbours of slices 0.02 mm apart.
+    slices = stack_at({{0, 0, 0}, {0, 0, 0.02}, {0, 0, 0.04}});
+    for (Frame& f : slices) f.spacing = glm::dvec2(1e4);
+    EXPECT_EQ(plan_stack(slices, {4, 6}, names_for(3)).grid.size.z, 3);
+}
+
 TEST(StackPlan, RefusesAGapFarLargerThanTheStack) {
     const auto slices = stack_at({{0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {0, 0, 500}});
     try {
