@@ -114,14 +114,7 @@ void choose_faint(const Work& w, FaintVoids& faint, std::uint32_t& next) {
     faint.id_of = std::move(candidates.id_of);
 }
 
-/// On a face of the frame; an axis of one voxel has none, as for the part.
-bool touches_frame(const RegionCharacteristics& row, const glm::ivec3& size) {
-    for (int axis = 0; axis < 3; ++axis)
-        if (size[axis] > 1 && (row.bbox_first[axis] == 0 || row.bbox_last[axis] == size[axis] - 1)) return true;
-    return false;
-}
-
-Defect defect_of(const RegionCharacteristics& row, DefectType type, const glm::ivec3& size) {
+Defect defect_of(const RegionCharacteristics& row, DefectType type) {
     Defect d;
     d.id = row.id;
     d.type = type;
@@ -133,7 +126,7 @@ Defect defect_of(const RegionCharacteristics& row, DefectType type, const glm::i
     d.surface_crofton_mm2 = row.surface_mm2;
     d.mean = row.mean;
     d.euler = row.euler, d.cavities = row.holes, d.tunnels = row.tunnels;
-    d.touches_border = touches_frame(row, size);
+    d.touches_border = row.touches_border;
     for (const std::string& flag : row.flags)
         if (flag == "topology_unsure") d.flags.push_back(flag);
     return d;
@@ -166,7 +159,7 @@ std::vector<Defect> measure_candidates(Work& w, std::uint32_t first_faint, std::
     for (const RegionCharacteristics& row :
          measure_regions(w.volume, a.labels, w.options.connectivity, job.part(0, 0.4))) {
         const DefectType type = row.id >= first_inclusion ? DefectType::inclusion : DefectType::void_;
-        Defect d = defect_of(row, type, w.volume.geometry().size);
+        Defect d = defect_of(row, type);
         if (row.id >= first_faint && type == DefectType::void_) d.flags.emplace_back("faint");
         const double depth = std::abs(w.levels.material - row.mean);
         const double chance =

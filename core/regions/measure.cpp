@@ -225,6 +225,17 @@ std::vector<Sums> sum_regions(const Volume& volume, const std::uint32_t* labels,
     return total;
 }
 
+/// An axis of one voxel has no inside a region could keep to: its two ends are no border, where there is another axis.
+bool touches_border(const Sums& sums, const glm::ivec3& size) {
+    bool any_axis = false, touches = false;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (size[axis] == 1) continue;
+        any_axis = true;
+        touches = touches || sums.first[axis] == 0 || sums.last[axis] == size[axis] - 1;
+    }
+    return touches || !any_axis;
+}
+
 void set_box(RegionCharacteristics& row, const Sums& sums, const GridGeometry& geometry) {
     row.bbox_first = sums.first;
     row.bbox_last = sums.last;
@@ -237,8 +248,7 @@ void set_box(RegionCharacteristics& row, const Sums& sums, const GridGeometry& g
         row.bbox_min_mm = glm::min(row.bbox_min_mm, mm);
         row.bbox_max_mm = glm::max(row.bbox_max_mm, mm);
     }
-    row.touches_border =
-        glm::any(glm::equal(sums.first, glm::ivec3(0))) || glm::any(glm::equal(sums.last, geometry.size - 1));
+    row.touches_border = touches_border(sums, geometry.size);
 }
 
 void set_shape(RegionCharacteristics& row, const Sums& sums, const GridGeometry& geometry, double surface_unit_mm2) {

@@ -24,7 +24,7 @@ int reach_along_x(Connectivity connectivity, int dy, int dz);
 /// Share of the unit sphere (both ends) nearest to each of the 13 directions in mm; sums to 1. Numerical: 200 000
 /// points, error under 1e-4. The weights of Crofton's formula on an anisotropic grid (Lehmann & Legland 2012). Over all
 /// orientations a plane's area is right on average, with a deviation of 1.6 % at spacing 1:1:1, 5.6 % at 1:1:2 and
-/// 7.3 % at 1:1:5; at worst 7.4, 12.4 and 22 % (planes along the axes read too small).
+/// 7.3 % at 1:1:5; at worst 7.3, 12.6 and 23 % (faces along the grid read too small).
 std::array<double, 13> direction_weights(const glm::dvec3& spacing_mm);
 
 /// What a voxel adds to the surface and to Euler's number of its region, looked up by its neighbour bits.

@@ -51,7 +51,7 @@ struct RegionCharacteristics {
     glm::ivec3 bbox_first{0}, bbox_last{0};     ///< in voxels, both included
     double equivalent_diameter_mm = 0;          ///< of the ball of equal volume
     glm::dvec3 principal_lengths_mm{0};         ///< full axes of the ellipsoid of equal second moments, longest first
-    bool touches_border = false;
+    bool touches_border = false;                ///< of the volume; an axis of one voxel has none
     /// A value that had to be corrected or cannot be trusted: "surface_clamped" (the estimate fell below the surface of
     /// the ball of equal volume, as it does for a few voxels; the ball's stands instead), "topology_unsure" (tunnels
     /// came out negative, because the label is in pieces or regions cross at edges; 0 stands instead),

@@ -278,6 +278,27 @@ TEST_F(Result, InnerLeavesOutWhatTouchesTheBorder) {
     EXPECT_EQ(touching(), 0);
 }
 
+TEST_F(Result, InnerOfASingleSliceKeepsWhatLiesWithinIt) {
+    // A plate with a hole in it, and a notch in its rim; air all round.
+    const auto speck = [](int a, int b) {
+        const bool plate = a > 2 && a < 21 && b > 2 && b < 21;
+        return plate && !(std::abs(a - 12) < 3 && std::abs(b - 11) < 2) && !(a < 6 && std::abs(b - 12) < 2);
+    };
+    std::string voxels;
+    for (int b = 0; b < 24; ++b)
+        for (int a = 0; a < 24; ++a) voxels += speck(a, b) ? '\x64' : '\0';
+    for (const char* size : {"24x24x1", "24x1x24", "1x24x24"}) {
+        std::ofstream(path("slice.raw"), std::ios::binary) << voxels;
+        const Outcome outcome = lacuna({"regions", path("slice.raw"), "--raw", std::string(size) + ":u8:0.5,0.5,0.5",
+                                        "--threshold", "0,50", "--inner", "--json", path("r.json")});
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        const json table = json::parse(bytes_of(path("r.json")));
+        ASSERT_EQ(table["regions"].size(), 1u) << size;
+        EXPECT_EQ(table["regions"][0]["voxels"], 5 * 3) << size;
+        EXPECT_GT(table["regions"][0]["surface_distance_mm"].get<double>(), 0) << size;
+    }
+}
+
 TEST_F(Result, ConvertKeepsVoxelsAndGeometry) {
     const json before = json::parse(lacuna({"info", "sample:head@24", "--json"}).out);
     for (const char* name : {"a.nrrd", "a.mhd", "a.nii.gz", "a.raw"}) {
