@@ -43,9 +43,9 @@ private:
     std::uint32_t id_;
     int reach_, loaded_;
     glm::ivec3 first_, extent_;
-    std::size_t plane_;
+    std::size_t plane_, stride_ = 0, margin_ = 0;
     Field own_, beyond_, foreign_;
-    std::vector<std::uint8_t> scratch_;
+    std::vector<std::uint8_t> along_x_, along_y_;  ///< one slice before and behind a step of spread()
 };
 
 }  // namespace lacuna

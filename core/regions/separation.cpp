@@ -14,11 +14,9 @@ std::vector<Separation> separations(const PointTree& surface, const std::vector<
     parallel_for(
         0, std::int64_t(bodies.size()),
         [&](std::int64_t i) {
-            Separation& s = found[std::size_t(i)];
-            for (const PointTree::Point& p : bodies[std::size_t(i)]) {
-                s.to_surface_mm = surface.nearest_mm(glm::dvec3(p.mm), PointTree::k_any, s.to_surface_mm);
-                s.gap_mm = others.nearest_mm(glm::dvec3(p.mm), p.tag, s.gap_mm);
-            }
+            std::vector<PointTree::Point> own = bodies[std::size_t(i)];
+            if (own.empty()) return;
+            found[std::size_t(i)] = {surface.nearest_mm(own), others.nearest_mm(own, own.front().tag)};
         },
         job);
     return found;

@@ -70,14 +70,22 @@ TEST(PointTree, FindsWhatBruteForceFinds) {
         points.push_back({{noise.below(100), noise.below(80), noise.below(9)}, std::uint32_t(i / 100)});
     const PointTree tree(points);
     for (int i = 0; i < 300; ++i) {
-        const glm::dvec3 from(noise.below(140) - 20, noise.below(100), noise.below(30) - 10);
+        // One point or as many as take several blocks, all over or close together.
+        std::vector<PointTree::Point> from(i % 4 == 0 ? 1u : std::size_t(noise.below(200) + 1));
+        const int apart = i % 5 == 0 ? 3 : 140;
+        for (PointTree::Point& p : from)
+            p = {{noise.below(apart) - 20, noise.below(100), noise.below(30) - 40 * (i % 7 == 0)}, 99};
         const std::uint32_t but = i % 2 ? PointTree::k_any : std::uint32_t(noise.below(8));
         double best = i % 3 ? std::numeric_limits<double>::infinity() : 7.5;
         for (const auto& p : points)
-            if (but == PointTree::k_any || p.tag != but) best = std::min(best, glm::length(glm::dvec3(p.mm) - from));
+            for (const auto& q : from)
+                if (but == PointTree::k_any || p.tag != but)
+                    best = std::min(best, glm::length(glm::dvec3(p.mm) - glm::dvec3(q.mm)));
         EXPECT_NEAR(tree.nearest_mm(from, but, i % 3 ? std::numeric_limits<double>::infinity() : 7.5), best, 1e-9);
     }
-    EXPECT_EQ(PointTree().nearest_mm({0, 0, 0}, PointTree::k_any, 3), 3);
+    std::vector<PointTree::Point> one{{{0, 0, 0}, 1}};
+    EXPECT_EQ(PointTree().nearest_mm(one, PointTree::k_any, 3), 3);
+    EXPECT_EQ(tree.nearest_mm({}, PointTree::k_any, 3), 3);
 }
 
 TEST(RegionShell, DistancesAreThoseOfBruteForce) {
