@@ -12,6 +12,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/atomic_folder.h"
+#include "core/base/file_lock.h"
 #include "core/base/shell_word.h"
 #include "core/chart/svg_text.h"
 #include "core/inspect/batch_journal.h"
@@ -34,6 +35,10 @@ struct Planned {
     std::optional<BatchRow> done;
 };
 
+[[noreturn]] void refuse_reference(const std::string& reason) {
+    throw Error(Errc::bad_input, "The reference component cannot be inspected: " + reason);
+}
+
 /// Runs what is planned on several threads, never more at once than memory allows.
 class BatchRunner {
 public:
@@ -41,7 +46,9 @@ public:
                 const JobContext& job)
         : parts_(parts), options_(options), journal_(journal), job_(job) {}
 
-    void run(std::vector<Planned>& planned) {
+    /// @param reference  index of the part that stops the series where it cannot be inspected
+    void run(std::vector<Planned>& planned, std::optional<std::size_t> reference) {
+        reference_ = reference;
         std::vector<Planned*> open;
         for (Planned& p : planned)
             if (!p.done) open.push_back(&p);
@@ -61,6 +68,7 @@ private:
             while (Planned* part = take(open)) {
                 const Returned returned{*this, *part};
                 part->done = inspect(*part, engine);
+                if (part->index == reference_ && !part->done->verdict) refuse_reference(part->done->reason);
                 engine.drop_caches();
             }
         } catch (...) {
@@ -162,6 +170,7 @@ private:
     const JobContext& job_;
     std::mutex mutex_;
     std::condition_variable changed_;
+    std::optional<std::size_t> reference_;
     std::size_t next_ = 0, finished_ = 0, total_ = 0;
     int running_ = 0;
     std::uint64_t used_ = 0;
@@ -252,10 +261,12 @@ BatchResult run_batch(const std::vector<BatchPart>& series, const BatchOptions& 
     if (with_reference && options.shard == 1 && !(known && known->verdict)) {
         Planned reference;
         look_at(reference, parts.back(), options, job);
-        if (!reference.fault.empty())
-            throw Error(Errc::bad_input, "The reference component cannot be inspected: " + reference.fault);
+        if (!reference.fault.empty()) refuse_reference(reference.fault);
     }
     journal.open(series, options);
+    const FileLock lock(journal.lock_file(options.shard),
+                        "The folder " + options.folder.string() +
+                            " is being filled by another run of this series; wait for it to end, or stop it.");
 
     std::vector<Planned> planned;
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -272,7 +283,11 @@ BatchResult run_batch(const std::vector<BatchPart>& series, const BatchOptions& 
         }
         planned.push_back(std::move(part));
     }
-    BatchRunner(parts, options, journal, job).run(planned);
+    // The reference first: where it cannot be read, no part has been waited for.
+    if (with_reference && !planned.empty() && planned.back().index + 1 == parts.size())
+        std::rotate(planned.begin(), planned.end() - 1, planned.end());
+    BatchRunner(parts, options, journal, job)
+        .run(planned, with_reference ? std::optional(parts.size() - 1) : std::nullopt);
 
     BatchResult result;
     for (const Planned& part : planned) {
@@ -281,8 +296,6 @@ BatchResult run_batch(const std::vector<BatchPart>& series, const BatchOptions& 
         else
             result.rows.push_back(*part.done);
     }
-    if (result.reference && !result.reference->verdict)
-        throw Error(Errc::bad_input, "The reference component cannot be inspected: " + result.reference->reason);
     if (options.shards > 1) return result;
     write_summary(options.folder, result, options);
     result.whole = true;
@@ -309,6 +322,7 @@ BatchResult merge_batch(const fs::path& folder) {
         throw Error(Errc::bad_input,
                     fmt::format("{} of {} parts in {} are not done ({}{}); run their shards again.", count,
                                 parts.size(), folder.string(), missing, count > 8 ? ", ..." : ""));
+    if (result.reference && !result.reference->verdict) refuse_reference(result.reference->reason);
     write_summary(folder, result, options);
     result.whole = true;
     return result;

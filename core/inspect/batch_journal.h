@@ -21,6 +21,11 @@ public:
     /// What open() wrote. @throws Error(bad_input) if no series stands there
     void read_series(std::vector<BatchPart>& parts, BatchOptions& options) const;
 
+    /// What a run of one shard holds while it fills the folder.
+    std::filesystem::path lock_file(int shard) const {
+        return folder_ / "journal" / ("shard-" + std::to_string(shard) + ".lock");
+    }
+
     /// None while the part is not done.
     std::optional<BatchRow> read(const std::string& part) const;
     void write(const BatchRow& row) const;

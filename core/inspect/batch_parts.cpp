@@ -123,7 +123,13 @@ public:
 
     void add_list(const fs::path& file) {
         constexpr std::uintmax_t k_longest = 64 << 20;
-        std::istringstream lines(read_file(file, k_longest));
+        const std::string text = read_file(file, k_longest);
+        if (text.find('\0') != std::string::npos)
+            throw Error(Errc::bad_input,
+                        "The file " + file.string() +
+                            " is no list of inputs, one a line; name the folder it lies in, or a list that names it.",
+                        file.string());
+        std::istringstream lines(text);
         constexpr std::string_view k_mark = "\xef\xbb\xbf";  // of UTF-8, which some editors begin a file with
         bool first = true;
         for (std::string line; std::getline(lines, line); first = false) {

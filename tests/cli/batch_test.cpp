@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
+#include <thread>
 
 #include "tests/cli/program.h"
 
@@ -171,6 +172,69 @@ TEST_F(Series, WhatIsOffIsSaidBeforeTheFirstPart) {
     expect_failure(lacuna(words("r")), 1, "--resume");
     std::ofstream(path("c.json")) << R"({"limits": {"porosity_percent": 2}})";
     expect_failure(lacuna(words("r", {"--resume"})), 1, "another series");
+}
+
+TEST_F(Series, AReferenceThatCannotBeReadIsSaidBeforeThePartsAndByTheMerge) {
+    make_parts(3, false);
+    // Its header is sound: only reading the voxels tells.
+    ASSERT_EQ(lacuna({"convert", "sample:casting@32", path("golden.nrrd")}).status, 0);
+    fs::resize_file(path("golden.nrrd"), 3000);
+    expect_failure(lacuna(words("r", {"--reference", path("golden.nrrd")})), 1, "reference component");
+    EXPECT_FALSE(fs::exists(path("r/part00"))) << "hours of work, and no summary";
+    for (const char* shard : {"1/2", "2/2"}) lacuna(words("s", {"--reference", path("golden.nrrd"), "--shard", shard}));
+    expect_failure(lacuna({"batch", "--merge", path("s")}), 1, "reference");
+    // Mended, the same series goes on.
+    ASSERT_EQ(lacuna({"convert", "sample:casting@32", path("golden.nrrd")}).status, 0);
+    const Outcome outcome = lacuna(words("r", {"--reference", path("golden.nrrd"), "--resume"}));
+    EXPECT_EQ(outcome.error_lines(), 0) << outcome.err;
+    EXPECT_NE(bytes_of(folder_ / "r/summary.csv").find("porosity_percent_deviation"), std::string::npos);
+}
+
+TEST_F(Series, ASecondRunOnTheSameFolderWaitsItsTurn) {
+    make_parts(12, false);
+    Outcome first;
+    std::thread other([&] { first = lacuna(words("r", {"--worst", "1"})); });
+    for (int tries = 0; tries < 6000 && !fs::exists(path("r/part00/report.json")); ++tries)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    const Outcome second = lacuna(words("r", {"--worst", "1", "--resume"}));
+    other.join();
+    expect_failure(second, 1, "another run");
+    EXPECT_LT(first.status, 4) << first.err;
+    EXPECT_EQ(first.error_lines(), 0) << first.err;
+    const Outcome again = lacuna(words("r", {"--worst", "1", "--resume"}));
+    EXPECT_EQ(again.error_lines(), 0) << "its turn has come: " << again.err;
+}
+
+TEST_F(Series, PartsOfAllSizesAndTheSameNameStandSideBySideAndAnInterruptLosesNone) {
+    make_parts(2, false);
+    fs::create_directories(path("more/part00"));
+    ASSERT_EQ(lacuna({"convert", "sample:casting@40", path("more/part00.nrrd")}).status, 0);
+    ASSERT_EQ(lacuna({"convert", "sample:casting@32", path("more/part01.nrrd")}).status, 0);
+    fs::resize_file(path("more/part01.nrrd"), 3000);
+    std::ofstream(path("list.txt")) << "parts/part00.mhd\nmore/part01.nrrd\nmore/part00.nrrd\nparts/part00.mhd\n"
+                                       "more/part00\nparts/part01.mhd\nnowhere.nrrd\n";
+    const auto run = [&](const std::string& to, const Surroundings& how, bool resume) {
+        std::vector<std::string> call{"batch",    path("list.txt"), "--criteria", path("c.json"),
+                                      "--report", path(to),         "--worst",    "0"};
+        if (resume) call.emplace_back("--resume");
+        return lacuna(call, how);
+    };
+    const Outcome whole = run("whole", {}, false);
+    EXPECT_EQ(whole.status, 3) << whole.err;
+    Surroundings interrupt;
+    interrupt.signal = SIGINT;
+    interrupt.signal_after_ms = std::max(50, int(400 * whole.seconds));
+    const Outcome stopped = run("r", interrupt, false);
+    EXPECT_TRUE(stopped.status == 130 || stopped.status == 3) << stopped.status << stopped.err;
+    EXPECT_EQ(run("r", {}, true).status, 3);
+    const std::string csv = bytes_of(folder_ / "whole/summary.csv");
+    EXPECT_EQ(bytes_of(folder_ / "r/summary.csv"), csv);
+    EXPECT_EQ(bytes_of(folder_ / "r/summary.html"), bytes_of(folder_ / "whole/summary.html"));
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 8);
+    for (const char* row :
+         {"part00,part00.mhd,", "part01,part01.nrrd,broken,", "part00-2,part00.nrrd,", "part00-3,part00.mhd,",
+          "part00-4,part00,broken,", "part01-2,part01.mhd,", "nowhere,nowhere.nrrd,broken,"})
+        EXPECT_NE(csv.find(row), std::string::npos) << row << "\n" << csv;
 }
 
 TEST_F(Series, MemoryTooSmallForAPartIsItsRow) {

@@ -74,6 +74,18 @@ TEST_F(Parts, AListMayBeginWithAByteOrderMark) {
     EXPECT_EQ(parts[0].input, "sample:casting@32");
 }
 
+TEST_F(Parts, AFileThatIsNoTextIsNoList) {
+    const std::string file = (folder_ / "scan.dcm").string();
+    std::ofstream(file, std::ios::binary) << std::string(128, '\0') << "DICM and\nmore\n";
+    try {
+        find_parts({file});
+        FAIL() << "its bytes were taken for the names of parts";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Errc::bad_input);
+        EXPECT_NE(std::string(error.what()).find("no list"), std::string::npos) << error.what();
+    }
+}
+
 TEST_F(Parts, NamesAreUtf8AndLeaveRoomForWhatIsWrittenBesideThem) {
     std::string umlauts;
     for (int i = 0; i < 120; ++i) umlauts += "\xc3\xa4";
