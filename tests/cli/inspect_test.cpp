@@ -1,7 +1,6 @@
 // lacuna inspect as its users meet it.
 
 #include <algorithm>
-#include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -119,15 +118,6 @@ TEST_F(Inspect, AnInspectorsWordChangesTheVerdict) {
     expect_failure(
         lacuna({"inspect", "sample:casting@48", "--criteria", path("c.json"), "--report", path("s"), "--accept", "1"}),
         2, "--accept");
-}
-
-/// True if a program of the system ran and found nothing to complain about; its words go to `said`.
-bool runs(const std::string& command, std::string& said) {
-    said.clear();
-    FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
-    char text[512];
-    while (pipe && std::fgets(text, sizeof text, pipe)) said += text;
-    return pipe && ::pclose(pipe) == 0;
 }
 
 class DicomReport : public ProgramTest, public ::testing::WithParamInterface<const char*> {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -111,6 +112,14 @@ std::vector<std::string> ProgramTest::files() const {
         names.push_back(entry.path().filename().string());
     std::sort(names.begin(), names.end());
     return names;
+}
+
+bool runs(const std::string& command, std::string& said) {
+    said.clear();
+    FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
+    char text[512];
+    while (pipe && std::fgets(text, sizeof text, pipe)) said += text;
+    return pipe && ::pclose(pipe) == 0;
 }
 
 void expect_failure(const Outcome& outcome, int status, const std::string& part) {

@@ -49,6 +49,9 @@ protected:
     std::filesystem::path folder_;
 };
 
+/// True if a program of the system ran and found nothing to complain about; its words go to `said`.
+bool runs(const std::string& command, std::string& said);
+
 /// Asserts the exit status and that standard error is one line that starts with "lacuna: " and holds `part`.
 void expect_failure(const Outcome& outcome, int status, const std::string& part);
 
