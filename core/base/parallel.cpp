@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -58,7 +59,10 @@ void parallel_for(std::int64_t begin, std::int64_t end, const std::function<void
     {
         const auto extra = std::min<std::int64_t>(thread_count(), total) - 1;
         std::vector<std::jthread> helpers;
-        for (std::int64_t t = 0; t < extra; ++t) helpers.emplace_back(work);
+        try {
+            for (std::int64_t t = 0; t < extra; ++t) helpers.emplace_back(work);
+        } catch (const std::system_error&) {  // the system has no more threads to give: those there are do it all
+        }
         work();
     }
     if (failure) std::rethrow_exception(failure);

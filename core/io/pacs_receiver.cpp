@@ -13,6 +13,7 @@
 #include <cstring>
 #include <list>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "core/base/error.h"
@@ -215,10 +216,15 @@ struct PacsReceiving::State {
         }
         Connection& connection = connections.emplace_back();
         connection.watch->watch(accepted);
-        connection.thread = std::thread([this, &connection, accepted] {
-            serve(connection.watch, accepted);
-            connection.ended = true;
-        });
+        try {
+            connection.thread = std::thread([this, &connection, accepted] {
+                serve(connection.watch, accepted);
+                connection.ended = true;
+            });
+        } catch (const std::system_error&) {  // no more threads: the sender is turned away as one too many
+            connections.pop_back();
+            ::close(accepted);
+        }
     }
 
     void serve(const std::shared_ptr<SocketWatch>& watch, int accepted) {

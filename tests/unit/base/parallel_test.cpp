@@ -1,8 +1,12 @@
 #include "core/base/parallel.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <atomic>
+#include <cstdlib>
+#include <fstream>
 #include <mutex>
 #include <numeric>
 #include <set>
@@ -125,6 +129,25 @@ TEST(JobContextTest, PartsShareTheStop) {
     EXPECT_THROW(step.check(), Error);
     EXPECT_THROW(step.checkpoint(1, 2), Error);
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which take terabytes of address space themselves
+/// In a process that can have no more threads: whether a loop that asks for 63 still does everything.
+[[noreturn]] void loop_without_threads() {
+    set_thread_count(64);
+    rlim_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const rlim_t most = pages * rlim_t(::sysconf(_SC_PAGESIZE)) + (1 << 20);  // no room for another stack
+    const rlimit limit{most, most};
+    if (::setrlimit(RLIMIT_AS, &limit) != 0) std::_Exit(2);
+    std::atomic<int> calls = 0;
+    parallel_for(0, 100, [&](std::int64_t) { ++calls; });
+    std::_Exit(calls == 100 ? 0 : 1);
+}
+
+TEST(ParallelDeathTest, WithoutThreadsToGetTheCallersOwnDoesAll) {
+    EXPECT_EXIT(loop_without_threads(), testing::ExitedWithCode(0), "");
+}
+#endif
 
 }  // namespace
 }  // namespace lacuna
