@@ -143,7 +143,8 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
 
 bool Application::notify(QObject* receiver, QEvent* event) {
     // Other threads deliver their events through here as well, and a closing program has no watchdog any more.
-    if (!watchdog_ || !watchdog_->isOn() || QThread::currentThread() != thread())
+    // The watchdog is asked only on its own thread: whether it is on may change there at the same moment.
+    if (QThread::currentThread() != thread() || !watchdog_ || !watchdog_->isOn())
         return QApplication::notify(receiver, event);
     watchdog_->enter(receiver, event);
     const bool taken = QApplication::notify(receiver, event);

@@ -20,7 +20,7 @@ struct SlowTurn {
 
 /// Measures the turns of the window's event loop and says which took longer than a person notices. Debug builds have it
 /// on from the start, others by LACUNA_WATCHDOG=1 (or a limit in ms), all are silenced by LACUNA_WATCHDOG=0. While it
-/// is off an event costs one comparison; while it is on, two readings of two clocks.
+/// is off an event costs two comparisons; while it is on, two readings of two clocks.
 class Watchdog final : public QObject {
     Q_OBJECT
 public:

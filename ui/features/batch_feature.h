@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 
 #include "ui/dialogs/batch_dialog.h"
 #include "ui/workbench.h"
@@ -18,7 +19,8 @@ public:
 private:
     Workbench& bench_;
     BatchDialog* dialog_ = nullptr;
-    std::atomic<bool> on_device_ = false;  ///< the window draws by one; else neither does the series
+    /// The window draws by one; else neither does the series, whose thread may ask after this has gone with the window.
+    std::shared_ptr<std::atomic<bool>> on_device_ = std::make_shared<std::atomic<bool>>(false);
 };
 
 }  // namespace lacuna::ui
