@@ -291,7 +291,12 @@ TEST(ReferenceJob, AStopEndsTheFrameWithin30Ms) {
         EXPECT_EQ(error.code(), Errc::cancelled);
     }
     const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - asked).count();
-    EXPECT_LT(ms, 150) << "30 ms are promised; the rest is a busy machine's";
+#ifdef __SANITIZE_THREAD__
+    constexpr double k_most_ms = 10000;  // a ray takes twenty times as long, the whole frame hours
+#else
+    constexpr double k_most_ms = 150;
+#endif
+    EXPECT_LT(ms, k_most_ms) << "30 ms are promised; the rest is a busy machine's";
 }
 
 TEST(ReferenceJob, ShearWarpIsRefused) {
