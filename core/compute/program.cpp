@@ -13,7 +13,7 @@ std::string first_error_line(const std::string& build_log) {
     std::string first;
     for (std::size_t begin = 0; begin < build_log.size();) {
         const std::size_t end = std::min(build_log.find('\n', begin), build_log.size());
-        const std::string line = build_log.substr(begin, end - begin);
+        std::string line = build_log.substr(begin, end - begin);
         begin = end + 1;
         if (line.find("error") != std::string::npos) return line;
         if (first.empty() && line.find_first_not_of(" \t\r") != std::string::npos) first = line;

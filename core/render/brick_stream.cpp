@@ -57,9 +57,9 @@ void BrickStream::make_room(std::uint64_t needed, std::uint64_t budget, std::int
     while (bytes_ + needed > budget) {
         auto oldest = bricks_.end();
         for (auto b = bricks_.begin(); b != bricks_.end(); ++b)
-            if (b->first != keep && (oldest == bricks_.end() || b->second.used < oldest->second.used)) oldest = b;
+            if (b->first != keep && (oldest == bricks_.end() || b->second.used_ < oldest->second.used_)) oldest = b;
         if (oldest == bricks_.end()) return;
-        bytes_ -= oldest->second.voxel_bytes + oldest->second.structure_bytes;
+        bytes_ -= oldest->second.voxel_bytes_ + oldest->second.structure_bytes_;
         bricks_.erase(oldest);
     }
 }
@@ -67,8 +67,8 @@ void BrickStream::make_room(std::uint64_t needed, std::uint64_t budget, std::int
 void BrickStream::settle(std::int64_t number, std::uint64_t budget) {
     Brick& brick = bricks_.at(number);
     const std::size_t now = brick.structures->bytes();
-    bytes_ = bytes_ - brick.structure_bytes + now;
-    brick.structure_bytes = now;
+    bytes_ = bytes_ - brick.structure_bytes_ + now;
+    brick.structure_bytes_ = now;
     largest_structure_ = std::max(largest_structure_, now);
     make_room(0, budget, number);
     counts.bytes_peak = std::max(counts.bytes_peak, bytes_);
@@ -93,13 +93,13 @@ BrickStream::Brick& BrickStream::hold(std::int64_t number, const BrickState& sta
         made.voxels = std::make_unique<DeviceVolume>(*device_, made.volume);
         made.structures = std::make_unique<StructureCache>(device_);
         made.structures->hold(made.volume);
-        made.voxel_bytes = made.volume.bytes() + made.voxels->extra_bytes();
-        bytes_ += made.voxel_bytes;
+        made.voxel_bytes_ = made.volume.bytes() + made.voxels->extra_bytes();
+        bytes_ += made.voxel_bytes_;
         found = bricks_.emplace(number, std::move(made)).first;
-    } else if (found->second.structure_bytes == 0) {
+    } else if (found->second.structure_bytes_ == 0) {
         make_room(largest_structure_, budget, number);
     }
-    found->second.used = ++clock_;
+    found->second.used_ = ++clock_;
     counts.bytes_peak = std::max(counts.bytes_peak, bytes_);
     return found->second;
 }

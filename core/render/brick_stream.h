@@ -27,8 +27,8 @@ public:
 
     private:
         friend class BrickStream;
-        std::uint64_t used = 0;
-        std::size_t voxel_bytes = 0, structure_bytes = 0;
+        std::uint64_t used_ = 0;
+        std::size_t voxel_bytes_ = 0, structure_bytes_ = 0;
     };
 
     /// @param index  of this volume; without one it is made when first needed (a pass over the voxels)
