@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/io/dicom_header.h"
@@ -84,7 +85,7 @@ PacsConnection::PacsConnection(const PacsServer& server, const JobContext& job)
     dcmSocketSendTimeout.set(server.timeout_s);
     dcmSocketReceiveTimeout.set(server.timeout_s);
     setDatasetConversionMode(OFTrue);
-    setStorageMode(DCMSCU_STORAGE_DISK);
+    setStorageMode(DCMSCU_STORAGE_BIT_PRESERVING);
     on_stop_ = std::make_unique<std::stop_callback<std::function<void()>>>(
         job.stop, std::function<void()>([watch = watch_] { watch->shut_down(); }));
 }
@@ -217,14 +218,20 @@ OFCondition PacsConnection::handleFINDResponse(const T_ASC_PresentationContextID
     return handled;
 }
 
-OFCondition PacsConnection::handleSTORERequest(const T_ASC_PresentationContextID, DcmDataset* object, OFBool& go_on,
-                                               Uint16& status) {
-    const std::unique_ptr<DcmDataset> held(object);
-    go_on = job_.stopped() ? OFFalse : OFTrue;
-    if (!object) return DIMSE_NULLKEY;
-    const bool kept = on_object && on_object(*object);
-    status = kept ? STATUS_Success : STATUS_STORE_Refused_OutOfResources;
-    return EC_Normal;
+/// The name is the one the server gives its object, with folders if it likes: it is not used.
+OFCondition PacsConnection::handleSTORERequestFile(T_ASC_PresentationContextID* id, const OFString&,
+                                                   T_DIMSE_C_StoreRQ* request) {
+    const std::filesystem::path file = new_file();
+    received_ = 0;
+    const OFCondition got = DcmSCU::handleSTORERequestFile(id, file.c_str(), request);
+    const bool full = got == DIMSE_OUTOFRESOURCES;  // then the file holds less than any object
+    if (got.bad() && !full) {
+        std::error_code ec;
+        std::filesystem::remove(file, ec);
+        return got;
+    }
+    const bool kept = on_object(file, full ? std::numeric_limits<std::uint64_t>::max() : received_);
+    return kept ? got : OFCondition(DIMSE_OUTOFRESOURCES);
 }
 
 void PacsConnection::report(const RetrieveResponse* response) const {

@@ -5,6 +5,8 @@
 #include <dcmtk/dcmnet/scu.h>
 
 #include <atomic>
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <stop_token>
@@ -38,8 +40,10 @@ public:
     /// @throws Error(io) for a response status other than success, naming `service`
     void require_status(unsigned status, const std::string& service) const;
 
-    /// Called for every object that C-GET brings; false: it could not be kept.
-    std::function<bool(DcmDataset&)> on_object;
+    /// A file for the next object that C-GET brings, which is written while it comes.
+    std::function<std::filesystem::path()> new_file;
+    /// Called for every object that has come, of so many bytes; false: it could not be kept.
+    std::function<bool(const std::filesystem::path& file, std::uint64_t bytes)> on_object;
     /// Called with remaining and finished sub-operations of C-GET and C-MOVE.
     std::function<void(int remaining, int done, int failed)> on_progress;
     std::size_t most_responses = k_most_pacs_rows;
@@ -47,8 +51,9 @@ public:
 
     OFCondition handleFINDResponse(const T_ASC_PresentationContextID id, QRResponse* response,
                                    OFBool& wait_for_next) override;
-    OFCondition handleSTORERequest(const T_ASC_PresentationContextID id, DcmDataset* object, OFBool& go_on,
-                                   Uint16& status) override;
+    OFCondition handleSTORERequestFile(T_ASC_PresentationContextID* id, const OFString& name,
+                                       T_DIMSE_C_StoreRQ* request) override;
+    void notifyRECEIVEProgress(const unsigned long bytes) override { received_ = bytes; }
     OFCondition handleCGETResponse(const T_ASC_PresentationContextID id, RetrieveResponse* response,
                                    OFBool& go_on) override;
     OFCondition handleMOVEResponse(const T_ASC_PresentationContextID id, RetrieveResponse* response,
@@ -64,6 +69,7 @@ private:
     std::shared_ptr<SocketWatch> watch_;
     std::unique_ptr<DcmTransportLayer> layer_;
     std::size_t responses_ = 0;
+    std::uint64_t received_ = 0;  ///< bytes of the object that comes
     std::atomic<bool> silent_{false};
     std::unique_ptr<std::stop_callback<std::function<void()>>> on_stop_;
 };

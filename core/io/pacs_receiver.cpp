@@ -1,5 +1,7 @@
 #include "core/io/pacs_receiver.h"
 
+#include <dcmtk/config/osconfig.h>
+// DCMTK's configuration comes first
 #include <dcmtk/dcmnet/scp.h>
 #include <fmt/format.h>
 #include <netdb.h>
@@ -11,6 +13,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
+#include <limits>
 #include <list>
 #include <mutex>
 #include <system_error>
@@ -104,21 +107,30 @@ protected:
     OFBool checkCallingAETitleAccepted(const OFString& title) override {
         return known(title, shared_.server.called_aet, shared_.server.calling_aet.c_str());
     }
-    void notifyRECEIVEProgress(const unsigned long) override { shared_.alive(); }
+    void notifyRECEIVEProgress(const unsigned long bytes) override {
+        received_ = bytes;
+        shared_.alive();
+    }
 
     OFCondition handleIncomingCommand(T_DIMSE_Message* message, const DcmPresentationContextInfo& context) override {
         shared_.alive();
         if (message->CommandField != DIMSE_C_STORE_RQ) return DcmSCP::handleIncomingCommand(message, context);
         T_DIMSE_C_StoreRQ& request = message->msg.CStoreRQ;
-        DcmDataset* set = nullptr;
-        const OFCondition got = receiveSTORERequest(request, context.presentationContextID, set);
-        const std::unique_ptr<DcmDataset> held(set);
-        if (got.bad() || !set) return got.bad() ? got : OFCondition(DIMSE_NULLKEY);
+        const std::filesystem::path file = shared_.callbacks.new_file();
+        received_ = 0;
+        const OFCondition got = receiveSTORERequest(request, context.presentationContextID, OFString(file.c_str()));
+        const bool full = got == DIMSE_OUTOFRESOURCES;  // then the file holds less than any object
+        if (got.bad() && !full) {
+            std::error_code ec;
+            std::filesystem::remove(file, ec);
+            return got;
+        }
         bool kept = false;
         {
             const std::lock_guard one_at_a_time(shared_.keeping);
-            kept = shared_.callbacks.on_object(*set);
+            kept = shared_.callbacks.on_object(file, full ? std::numeric_limits<std::uint64_t>::max() : received_);
         }
+        if (got.bad()) return got;
         shared_.alive();
         return sendSTOREResponse(context.presentationContextID, request,
                                  Uint16(kept ? STATUS_Success : STATUS_STORE_Refused_OutOfResources));
@@ -136,6 +148,7 @@ private:
     std::unique_ptr<DcmTransportLayer> layer_;
     std::unique_lock<std::mutex> handing_;
     std::string calling_;
+    std::uint64_t received_ = 0;  ///< bytes of the object that comes
 };
 
 /// A socket that listens on one address. @throws Error(io)

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <dcmtk/config/osconfig.h>
-// DCMTK's configuration comes first
-#include <dcmtk/dcmdata/dctk.h>
-
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -19,8 +17,11 @@ namespace lacuna::dicom {
 class PacsReceiving {
 public:
     struct Callbacks {
-        /// A whole object has come; false: it is not to be kept. Called by one thread at a time, of its own.
-        std::function<bool(DcmDataset&)> on_object;
+        /// A file for the next object, which is written while it comes. Called by several threads.
+        std::function<std::filesystem::path()> new_file;
+        /// A whole object has come, of so many bytes; false: it is not to be kept. Called by one thread at a time, of
+        /// its own. The file is the callee's.
+        std::function<bool(const std::filesystem::path& file, std::uint64_t bytes)> on_object;
         /// Nothing has come for the server's time, nor alive() been called. Called once, from another thread.
         std::function<void()> on_silence;
     };

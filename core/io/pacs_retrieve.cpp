@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <atomic>
+#include <limits>
+
 #include "core/base/atomic_folder.h"
 #include "core/base/error.h"
 #include "core/io/dicom_header.h"
@@ -29,7 +32,14 @@ struct Wanted {
         if (!series.empty()) ask(keys, DCM_SeriesInstanceUID, series);
         return keys;
     }
-    bool holds(DcmDataset& set) const {
+    bool holds(const fs::path& file) const {
+        DcmFileFormat format;
+        if (format
+                .loadFileUntilTag(file.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength, ERM_autoDetect,
+                                  DcmTagKey(0x7FE0, 0))
+                .bad())
+            return false;
+        DcmDataset& set = *format.getDataset();
         return dicom::text_of(set, DCM_StudyInstanceUID) == study &&
                (series.empty() || dicom::text_of(set, DCM_SeriesInstanceUID) == series);
     }
@@ -40,11 +50,23 @@ class Arrivals {
 public:
     explicit Arrivals(const fs::path& folder) : folder_(folder), output_(folder) {}
 
-    bool keep(DcmDataset& set) {
-        const bool kept = write(set, output_.path() / fmt::format("IM{:05d}.dcm", kept_ + 1));
+    /// A file for what comes next, from any thread.
+    fs::path next() { return output_.path() / fmt::format("incoming{}", ++incoming_); }
+    /// Keeps a file of so many bytes at least. Of a disk that ran full its writer may not have been told.
+    bool keep(const fs::path& file, std::uint64_t bytes) {
+        std::error_code ec;
+        bool kept = fs::file_size(file, ec) >= bytes && !ec;
+        if (kept) fs::rename(file, output_.path() / fmt::format("IM{:05d}.dcm", kept_ + 1), ec);
+        kept = kept && !ec;
         if (kept) ++kept_;
         full_ = full_ || !kept;
+        if (!kept) drop(file);
         return kept;
+    }
+    bool drop(const fs::path& file) {
+        std::error_code ec;
+        fs::remove(file, ec);
+        return false;
     }
     int kept() const { return kept_; }
     void commit() { output_.commit(); }
@@ -55,17 +77,9 @@ public:
     }
 
 private:
-    static bool write(DcmDataset& set, const fs::path& file) {
-        DcmFileFormat format(&set, OFFalse);
-        const OFCondition saved = format.saveFile(file.c_str(), set.getOriginalXfer(), EET_ExplicitLength);
-        (void)format.getAndRemoveDataset();
-        std::error_code ec;
-        return saved.good() &&
-               fs::file_size(file, ec) >= set.calcElementLength(set.getOriginalXfer(), EET_ExplicitLength) && !ec;
-    }
-
     const fs::path folder_;
     AtomicFolder output_;
+    std::atomic<int> incoming_{0};
     int kept_ = 0;
     bool full_ = false;
 };
@@ -135,7 +149,8 @@ PacsTransfer get(const PacsServer& server, const Wanted& wanted, Arrivals& arriv
     for (const char* other : dicom::k_others) connection.propose(other, dicom::plain_syntaxes(), true);
     connection.connect();
     const auto context = connection.accepted(sop_class, "retrieving (C-GET by the study root)");
-    connection.on_object = [&](DcmDataset& set) { return arrivals.keep(set); };
+    connection.new_file = [&] { return arrivals.next(); };
+    connection.on_object = [&](const fs::path& file, std::uint64_t bytes) { return arrivals.keep(file, bytes); };
     connection.on_progress = [&](int remaining, int done, int failed) { report(job, remaining, done, failed); };
     DcmDataset keys = wanted.keys();
     OFList<RetrieveResponse*> responses;
@@ -165,10 +180,12 @@ PacsTransfer move(const PacsServer& server, const Wanted& wanted, Arrivals& arri
     connection.propose(sop_class, dicom::plain_syntaxes());
     connection.connect();
     const auto context = connection.accepted(sop_class, "retrieving (C-MOVE by the study root)");
+    const auto take = [&](const fs::path& file, std::uint64_t bytes) {
+        const bool whole = bytes != std::numeric_limits<std::uint64_t>::max();
+        return whole && (job.stopped() || !wanted.holds(file)) ? arrivals.drop(file) : arrivals.keep(file, bytes);
+    };
     auto receiving = std::make_unique<dicom::PacsReceiving>(
-        server, dicom::PacsReceiving::Callbacks{
-                    [&](DcmDataset& set) { return !job.stopped() && wanted.holds(set) && arrivals.keep(set); },
-                    [&] { connection.give_up(); }});
+        server, dicom::PacsReceiving::Callbacks{[&] { return arrivals.next(); }, take, [&] { connection.give_up(); }});
     connection.be_patient();  // images come over another connection; silence on both is what counts
     connection.on_progress = [&](int remaining, int done, int failed) {
         receiving->alive();
