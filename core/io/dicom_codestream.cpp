@@ -102,6 +102,8 @@ void check_jpeg_2000(const RandomAccessFile& bytes, const File& file, const Frag
     if (samples != file.pixels.samples || siz[39] != std::byte(1) || siz[40] != std::byte(1))
         refuse(file, fmt::format("they have {} samples a pixel, or coarser ones, but the header says {}", samples,
                                  file.pixels.samples));
+    if (big(siz + 38, 1) > 0x7F && !file.pixels.is_signed)
+        refuse(file, "they are signed numbers, but the header says unsigned");
     if (bits > file.pixels.bits_allocated)
         refuse(file, fmt::format("they are of {} bits, but the header allots {}", bits, file.pixels.bits_allocated));
 }

@@ -18,6 +18,7 @@
 #include "core/io/dicom_lut.h"
 #include "core/io/dicom_posix.h"
 #include "core/io/dicom_tags.h"
+#include "core/io/dicom_text.h"
 
 namespace lacuna::dicom {
 
@@ -206,6 +207,7 @@ std::shared_ptr<const ModalityLut> modality_lut(DcmItem& data, const PixelFormat
 
 void fill_component(DcmItem& data, File& file) {
     bool is_part = false;
+    Utf8Texts text(data);
     for (DcmObject* at = data.nextInContainer(nullptr); at; at = data.nextInContainer(at)) {
         if (at->getGTag() < 0x0014) continue;
         if (at->getGTag() > 0x0014) break;
@@ -215,12 +217,12 @@ void fill_component(DcmItem& data, File& file) {
         DcmTag tag = at->getTag();
         if (element && element->isaString() && element->getOFStringArray(value).good() && !value.empty() &&
             value.size() <= 256)
-            file.component.emplace_back(tag.getTagName(), value.c_str());
+            file.component.emplace_back(tag.getTagName(), text.readable(value.c_str()));
     }
     if (!is_part) return;
     // ASTM E2339 (DICONDE): the patient module holds the component's name and id.
-    file.component.insert(file.component.begin(), {"id", text_of(data, DCM_PatientID)});
-    file.component.insert(file.component.begin(), {"name", text_of(data, DCM_PatientName)});
+    file.component.insert(file.component.begin(), {"id", text(DCM_PatientID)});
+    file.component.insert(file.component.begin(), {"name", text(DCM_PatientName, "\\^=")});
 }
 
 }  // namespace
@@ -260,9 +262,10 @@ void fill_file(DcmItem& data, File& file) {
     file.frame_of_reference_uid = text_of(data, DCM_FrameOfReferenceUID);
     file.sop_class_uid = text_of(data, DCM_SOPClassUID);
     file.sop_instance_uid = text_of(data, DCM_SOPInstanceUID);
-    file.modality = text_of(data, DCM_Modality);
-    file.description = text_of(data, DCM_SeriesDescription);
-    if (file.description.empty()) file.description = text_of(data, DCM_StudyDescription);
+    Utf8Texts text(data);
+    file.modality = text(DCM_Modality);
+    file.description = text(DCM_SeriesDescription);
+    if (file.description.empty()) file.description = text(DCM_StudyDescription);
     file.series_number = readable_integer_of(data, DCM_SeriesNumber).value_or(0);
     fill_pixel_format(data, file.pixels);
     fill_component(data, file);
@@ -276,6 +279,11 @@ void fill_file(DcmItem& data, File& file) {
     if (const auto padding = pixel_value_of(data, DCM_PixelPaddingValue, file.pixels)) {
         const std::int64_t limit = pixel_value_of(data, DCM_PixelPaddingRangeLimit, file.pixels).value_or(*padding);
         file.padding = Padding{std::min(*padding, limit), std::max(*padding, limit)};
+    }
+    if (file.pixels.kind != PixelKind::integer) {
+        file.padding.reset();
+        file.float_padding = number_of(data, file.pixels.kind == PixelKind::float32 ? DCM_FloatPixelPaddingValue
+                                                                                    : DCM_DoubleFloatPixelPaddingValue);
     }
     file.lut = modality_lut(data, file.pixels);
     const int frames = integer_of(data, DCM_NumberOfFrames).value_or(1);

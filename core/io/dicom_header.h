@@ -75,6 +75,7 @@ struct File {
     int series_number = 0;
     PixelFormat pixels;
     std::optional<Padding> padding;
+    std::optional<double> float_padding;     ///< the same of floating-point pixels (FloatPixelPaddingValue)
     std::shared_ptr<const ModalityLut> lut;  ///< replaces the frames' rescale
     bool direct = false;                     ///< pixels lie uncompressed in the file, from pixel_offset on
     bool big_endian = false;

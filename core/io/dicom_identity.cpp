@@ -2,7 +2,6 @@
 
 #include <dcmtk/config/osconfig.h>
 // DCMTK's configuration comes first
-#include <dcmtk/dcmdata/dcspchrs.h>
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
@@ -10,39 +9,11 @@
 #include "core/io/dicom_header.h"
 #include "core/io/dicom_lut.h"
 #include "core/io/dicom_tags.h"
+#include "core/io/dicom_text.h"
 
 namespace lacuna {
 
 namespace {
-
-/// Texts of a data set in UTF-8.
-class Utf8Texts {
-public:
-    explicit Utf8Texts(DcmItem& data) : data_(data) {
-        OFString charset;
-        if (data.findAndGetOFStringArray(DCM_SpecificCharacterSet, charset).bad() || charset.empty()) return;
-        if (charset == "ISO_IR 6" || charset == "ISO_IR 192") return;  // UTF-8 already
-        converts_ = DcmSpecificCharacterSet::isConversionAvailable() && converter_.selectCharacterSet(charset).good();
-    }
-
-    std::string operator()(const DcmTagKey& tag, const char* delimiters = "\\") {
-        return readable(dicom::text_of(data_, tag), delimiters);
-    }
-
-    std::string readable(std::string text, const char* delimiters = "\\") {
-        OFString converted;
-        if (converts_ && converter_.convertString(text.c_str(), text.size(), converted, delimiters).good())
-            text.assign(converted.c_str(), converted.size());
-        std::erase_if(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
-        const auto last = text.find_last_not_of(' ');
-        return text.substr(0, last == std::string::npos ? 0 : last + 1);
-    }
-
-private:
-    DcmItem& data_;
-    DcmSpecificCharacterSet converter_;
-    bool converts_ = false;
-};
 
 /// "Doe^Jane^M.^Dr." as "Doe, Dr. Jane M."; of several writings (alphabetic=ideographic=phonetic) the first there is.
 std::string readable_name(std::string_view name) {
@@ -73,7 +44,7 @@ std::string readable_date(const std::string& date) {
 }
 
 std::shared_ptr<const PatientIdentity> identity_of(DcmItem& data) {
-    Utf8Texts text(data);
+    dicom::Utf8Texts text(data);
     PatientIdentity patient;
     patient.name = readable_name(text(DCM_PatientName, "\\^="));
     patient.id = text(DCM_PatientID);
@@ -115,7 +86,7 @@ DicomScreenFacts read_screen_facts(const std::filesystem::path& file, int frame)
     if (word == "LINEAR") facts.voi_function = VoiFunction::linear;
     if (word == "LINEAR_EXACT") facts.voi_function = VoiFunction::linear_exact;
     if (word == "SIGMOID") facts.voi_function = VoiFunction::sigmoid;
-    Utf8Texts text(data);
+    dicom::Utf8Texts text(data);
     for (VoiTable& table : dicom::voi_tables(data, frame)) {
         table.name = text.readable(std::move(table.name));
         facts.voi_tables.push_back(std::make_shared<const VoiTable>(std::move(table)));

@@ -204,6 +204,15 @@ private:
                                          format, padding, state);
     }
 
+    static void add_padding(SliceState& state, std::int64_t pixel) {
+        const auto at = std::uint32_t(pixel);
+        if (!state.padding.empty() && state.padding.back().first + state.padding.back().count == at)
+            ++state.padding.back().count;
+        else
+            state.padding.push_back({at, 1});
+        ++state.padding_voxels;
+    }
+
     template <class In>
     void widen(std::size_t i, std::span<const std::byte> samples, const PixelFormat& format) {
         SliceState& state = states_[i];
@@ -212,12 +221,26 @@ private:
         const int unused = std::is_floating_point_v<In> ? 0 : format.bits_allocated - format.bits_stored;
         const int low = format.high_bit + 1 - format.bits_stored;
         const double slope = slice(i).slope, intercept = slice(i).intercept;
-        const ModalityLut* const lut = scan_.file_of(slice(i)).lut.get();
+        const File& file = scan_.file_of(slice(i));
+        const ModalityLut* const lut = file.lut.get();
+        const auto is_padding = [&](In value) {
+            if constexpr (std::is_floating_point_v<In>)
+                return file.float_padding && double(value) == double(In(*file.float_padding));
+            else
+                return file.padding && std::int64_t(value) >= file.padding->lo &&
+                       std::int64_t(value) <= file.padding->hi;
+        };
         for (std::int64_t p = 0; p < pixels_; ++p) {
             In stored;
             std::memcpy(&stored, samples.data() + std::size_t(p) * sizeof(In), sizeof(In));
+            bool padding = is_padding(stored);  // outside the stored bits, or within
             if constexpr (std::is_integral_v<In>)
                 if (unused > 0) stored = In(In(std::make_unsigned_t<In>(stored) << (unused - low)) >> unused);
+            padding = padding || is_padding(stored);
+            if (padding) {
+                add_padding(state, p);
+                continue;
+            }
             const double value = lut ? (*lut)(double(stored)) : double(stored) * slope + intercept;
             out[p] = float(value);
             if (!std::isfinite(value)) {
@@ -320,6 +343,11 @@ private:
     }
 
     void finish_wide(const JobContext& job) {
+        for (std::size_t i = 0; i < states_.size(); ++i) {
+            auto* const values = reinterpret_cast<float*>(plane_bytes(i).data());
+            for (const PaddingRun& run : states_[i].padding)
+                std::fill_n(values + run.first, run.count, float(result_.range.lo));
+        }
         if (result_.type == VoxelType::f32) {
             result_.voxels = std::move(raw_);
             return;

@@ -128,7 +128,7 @@ void put_pixel_format(DcmDataset& set, const Volume& volume, const Storage& stor
     set.putAndInsertUint16(DCM_PixelRepresentation, storage.sign ? 1 : 0);
     put(set, DCM_RescaleIntercept, decimal(storage.intercept));
     put(set, DCM_RescaleSlope, "1");
-    put(set, DCM_RescaleType, volume.unit == "HU" || volume.unit.empty() ? "HU" : "US");
+    put(set, DCM_RescaleType, volume.unit == "HU" ? "HU" : "US");
 }
 
 std::vector<Uint16> slice_words(const Volume& volume, const Storage& storage, int slice) {

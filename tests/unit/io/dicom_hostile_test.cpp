@@ -5,6 +5,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/io/dicom_reader.h"
+#include "core/io/volume_writer.h"
 #include "tests/support/dicom_zoo.h"
 #include "tests/support/test_data.h"
 #include "volume_fixture.h"
@@ -19,12 +20,12 @@ using test::write_zoo_slice;
 using test::ZooSlice;
 using test::ZooSyntax;
 
-constexpr unsigned k_rows = 0x10, k_columns = 0x11;
+constexpr unsigned k_rows = 0x10, k_columns = 0x11, k_pixel_representation = 0x103;
 
-/// Overwrites Rows or Columns of a little-endian file.
+/// Overwrites a number of group 0028 of a little-endian file.
 void claim(const fs::path& from, const fs::path& to, unsigned element, unsigned pixels) {
     std::string bytes = read_file(from);
-    const std::string tag = {'\x28', '\0', char(element), '\0', 'U', 'S', '\2', '\0'};
+    const std::string tag = {'\x28', '\0', char(element & 255), char(element >> 8), 'U', 'S', '\2', '\0'};
     const std::size_t at = bytes.find(tag);
     ASSERT_NE(at, std::string::npos);
     bytes[at + 8] = char(pixels & 255);
@@ -62,6 +63,8 @@ TEST(DicomHostile, Jpeg2000OfAnotherSizeThanTheHeaderSaysIsRefused) {
             test::expect_error(Errc::bad_input, {"lie.dcm", "512 x 512", std::to_string(pixels)},
                                [&] { read_one(folder / "lie.dcm"); });
         }
+    claim(sound, folder / "unsigned.dcm", k_pixel_representation, 0);
+    test::expect_error(Errc::bad_input, {"unsigned.dcm", "signed numbers"}, [&] { read_one(folder / "unsigned.dcm"); });
 }
 
 TEST(DicomHostile, MorePixelsThanTheHeaderSaysAreWarnedOf) {
@@ -96,6 +99,51 @@ TEST(DicomHostile, BytesInBigEndianWordsAreReadInTheirOrder) {
         for (int f = 0; f < 2; ++f)
             for (int y = 0; y < 3; ++y)
                 for (int x = 0; x < 5; ++x) EXPECT_EQ(volume.value(x, y, f), stored(f, x, y)) << name;
+    }
+}
+
+// A terminal would obey control characters; Latin-1 is no UTF-8.
+TEST(DicomHostile, DescriptionsAreTextThatCanBeShown) {
+    const TemporaryFolder folder;
+    ZooSlice slice;
+    slice.description =
+        "Sch\xE4"
+        "del \x1B[31mrot\x07";
+    slice.extra = {{{0x0008, 0x0005}, "ISO_IR 100"}};
+    write_zoo_slice(folder / "a.dcm", slice);
+    const Volume volume = read_one(folder / "a.dcm");
+    EXPECT_EQ(volume.dicom->description,
+              "Sch\xC3\xA4"
+              "del [31mrot");
+    EXPECT_EQ(volume.name, volume.dicom->description);
+}
+
+TEST(DicomHostile, PaddingIsNoValueOfATable) {
+    const TemporaryFolder folder;
+    ZooSlice slice;
+    slice.modality_lut = std::vector<int>(60, 0);
+    for (int i = 0; i < 60; ++i) slice.modality_lut[std::size_t(i)] = 1000 + 3 * i;
+    slice.modality_lut_first = 100;
+    slice.stored = [](int x, int y) { return x == 2 ? 159 : 101 + 5 * y + x; };
+    write_zoo_slice(folder / "plain.dcm", slice);
+    EXPECT_EQ(read_one(folder / "plain.dcm").value(2, 1, 0), 1177);
+    slice.padding = 159;
+    write_zoo_slice(folder / "padded.dcm", slice);
+    const Volume volume = read_one(folder / "padded.dcm");
+    EXPECT_EQ(volume.value(2, 1, 0), 1003);  // the smallest measured
+    EXPECT_EQ(volume.value(3, 1, 0), 1027);
+    ASSERT_EQ(volume.warnings.size(), 1u);
+    EXPECT_NE(volume.warnings[0].text.find("5 voxels are padding"), std::string::npos);
+}
+
+TEST(DicomHostile, AVolumeWithoutUnitDoesNotComeBackInHounsfieldUnits) {
+    const TemporaryFolder folder;
+    Volume volume = test::extreme_volume<std::uint8_t>(test::oblique_grid({4, 3, 2}));
+    for (const char* unit : {"", "HU"}) {
+        volume.unit = unit;
+        const fs::path target = folder / (std::string("out") + unit);
+        write_volume(volume, target);
+        EXPECT_EQ(open_volume(target.string()).unit, unit);
     }
 }
 
