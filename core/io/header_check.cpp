@@ -76,7 +76,7 @@ void check_spacing(const fs::path& file, const std::string& key, const std::stri
     if (text.empty()) return;
     for (const auto piece : split(text, " \t,")) {
         const auto s = number_in<double>(piece);
-        if (s && !(*s > 0 && std::isfinite(*s)))
+        if (!s || !(*s > 0 && std::isfinite(*s)))
             refuse(file, "its " + key + " is '" + std::string(trimmed(text)) +
                              "', but spacings must be positive numbers of mm");
     }
@@ -169,6 +169,20 @@ void check_numbers(const fs::path& header, const fs::path& data, std::uint64_t f
                            std::to_string(have) + " numbers; the file is cut or its sizes are wrong");
 }
 
+/// The library stops reading where numbers are missing, and says so on the terminal.
+void check_meta_numbers(const fs::path& file, const Fields& f, std::size_t dims) {
+    const auto check = [&](const char* key, std::size_t count) {
+        if (field(f, key).empty()) return;
+        const auto numbers = numbers_in<double>(field(f, key));
+        if (!numbers || numbers->size() != count)
+            refuse(file,
+                   "its " + std::string(key) + " '" + field(f, key) + "' is not " + std::to_string(count) + " numbers");
+    };
+    for (const char* key : {"ElementSpacing", "ElementSize", "Offset", "Position", "Origin", "CenterOfRotation"})
+        check(key, dims);
+    for (const char* key : {"TransformMatrix", "Rotation", "Orientation"}) check(key, dims * dims);
+}
+
 bool meta_big_endian(const fs::path& file, const Fields& f) {
     const std::string data = field(f, "BinaryDataByteOrderMSB"), element = field(f, "ElementByteOrderMSB");
     if (!data.empty() && !element.empty() && says_true(data) != says_true(element))
@@ -197,6 +211,7 @@ HeaderFacts check_meta_image(const fs::path& file) {
     const auto dims = numbers_in<std::int64_t>(field(f, "DimSize"));
     if (!dims || dims->empty() || std::int64_t(dims->size()) != number_in<std::int64_t>(field(f, "NDims")).value_or(-1))
         refuse(file, "its DimSize '" + field(f, "DimSize") + "' does not fit its NDims '" + field(f, "NDims") + "'");
+    check_meta_numbers(file, f, dims->size());
     if (const auto channels = field(f, "ElementNumberOfChannels"); !channels.empty() && channels != "1")
         throw Error(Errc::unsupported, "Cannot read " + file.string() + ": it has " + channels +
                                            " values a voxel; only scalar volumes can be opened.");

@@ -10,6 +10,10 @@ const char* fault_of(const GridGeometry& g) {
         if (!(std::isfinite(g.spacing[a]) && g.spacing[a] > 0)) return "the voxel spacing is not a positive number";
         if (!std::isfinite(g.origin[a])) return "the origin is not a finite position";
     }
+    constexpr double k_most_voxels = 4.6e18;  // 2^62: counts of bytes leave 64 bits beyond
+    if (!(double(g.size.x) * double(g.size.y) * double(g.size.z) <= k_most_voxels)) return "it has too many voxels";
+    if (!(std::isnormal(g.voxel_volume_mm3()) && std::isfinite(g.diameter_mm())))
+        return "the voxel spacing is too small or too large to calculate with";
     const glm::dmat3 product = glm::transpose(g.direction) * g.direction;
     for (int c = 0; c < 3; ++c)
         for (int r = 0; r < 3; ++r)

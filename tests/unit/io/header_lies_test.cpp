@@ -126,6 +126,18 @@ TEST(HeaderLies, ContradictionsAreRefused) {
                  [&] { open_text(f, "v.nii", nifti_file(early, "abcdefgh")); });
 }
 
+// MetaIO would say so on the terminal, in four lines.
+TEST(HeaderLies, NumbersThatAreNoneAreRefusedInOneLine) {
+    const ScratchFolder f;
+    testing::internal::CaptureStderr();
+    for (const char* line : {"ElementSpacing = 1 1 i\n", "Offset = 1 2\n", "TransformMatrix = 1 0 0 0 1 0 0 0\n"})
+        expect_error(Errc::bad_input, {"v.mha", "numbers"},
+                     [&] { open_text(f, "v.mha", meta(line, thousand(), "10 10 10", "")); });
+    expect_error(Errc::bad_input, {"v.nrrd", "spacings"},
+                 [&] { open_text(f, "v.nrrd", nrrd("spacings: 1 one 1\nencoding: raw\n")); });
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(HeaderLies, AnUnstatedNiftiOffsetIsTheSmallestThereMayBe) {
     const ScratchFolder f;
     nifti_1_header h = nifti(DT_UINT8, 8);

@@ -174,6 +174,18 @@ TEST(RawGuess, EveryGuessFitsTheFileAndReadsBack) {
     }
 }
 
+TEST(RawGuess, TinyFilesAndOddNamesDoNoHarm) {
+    const ScratchFolder f;
+    std::uint32_t state = 1;
+    for (std::size_t size = 0; size < 150; size += size < 20 ? 1 : 7)
+        for (const char* name : {"a.raw", "999999x999999x999999_uint16.raw", "2x2_float.raw", "1x1x1.raw"}) {
+            std::string bytes(size, '\0');
+            for (char& c : bytes) c = char((state = state * 1664525u + 1013904223u) >> 24);
+            put_file(f / name, bytes);
+            for (const RawGuess& guess : guess_raw_layouts(f / name)) EXPECT_NO_THROW(read_raw(guess.layout)) << size;
+        }
+}
+
 TEST(RawGuess, ReadsNamesAsPeopleWriteThem) {
     const auto hints = [](const char* name) { return raw_name_hints(name); };
     EXPECT_EQ(hints("engine_256x256x128_uint8.raw").size, (std::vector<int>{256, 256, 128}));

@@ -51,6 +51,32 @@ TEST(VolumeInParts, RawFilesAndTheirSidecars) {
     expect_same_boxes((folder / "b.mhd").string(), spaced);
 }
 
+// The file is a hole but for a few bytes: places beyond 2^31 voxels and 2^32 bytes are counted right, and an offset
+// that leaves 64 bits is none.
+TEST(VolumeInParts, VoxelsBeyondTwoToTheThirtyTwo) {
+    const test::ScratchFolder folder;
+    const std::string file = (folder / "v.raw").string();
+    constexpr std::uintmax_t k_bytes = std::uintmax_t(2000) * 2000 * 600 * 2 + 7;
+    {
+        std::ofstream out(file, std::ios::binary);
+        const char last[] = {1, 2, 3, 4, 5, 6};  // the last three voxels, big-endian
+        out.seekp(std::streamoff(k_bytes) - 6);
+        out.write(last, 6);
+        ASSERT_TRUE(out.flush());
+    }
+    OpenOptions raw;
+    raw.raw = "2000x2000x600:u16:1,1,1:be:+7";
+    const std::optional<Volume> parts = open_volume_in_parts(file, raw);
+    ASSERT_TRUE(parts.has_value());
+    const Volume end = extract_box(*parts, {{1996, 1999, 599}, {4, 1, 1}});
+    EXPECT_EQ(end.value(0, 0, 0), 0);
+    EXPECT_EQ(end.value(1, 0, 0), 0x0102);
+    EXPECT_EQ(end.value(3, 0, 0), 0x0506);
+    EXPECT_EQ(end.geometry().origin, glm::dvec3(1996, 1999, 599));
+    raw.raw = "2000x2000x600:u16:1,1,1:+18446744073709551615";
+    test::expect_error(Errc::bad_input, {"v.raw", "offset"}, [&] { open_volume_in_parts(file, raw); });
+}
+
 TEST(VolumeInParts, WhatIsWrittenInPartsIsTheSame) {
     const test::ScratchFolder folder;
     write_volume(small(), folder / "whole.mhd");
