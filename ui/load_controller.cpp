@@ -5,6 +5,8 @@
 #include "core/io/open_limit.h"
 #include "core/io/raw_guess.h"
 #include "core/render/brick_plan.h"
+#include "ui/hidden_names.h"
+#include "ui/preferences.h"
 
 namespace lacuna::ui {
 
@@ -44,7 +46,7 @@ void add_screen_facts(Document& document, const JobContext& job) {
 
 void LoadController::open(const QString& input, const OpenOptions& options) {
     job_.start(
-        [name = input.toStdString(), options](const JobContext& job) {
+        [name = input.toStdString(), options, hide = preferences::hide_patient()](const JobContext& job) {
             try {
                 if (options.raw.empty() && needs_raw_layout(name)) return Opened{.raw_file = true};
                 // Reading is most of it; the statistics take the rest.
@@ -52,9 +54,15 @@ void LoadController::open(const QString& input, const OpenOptions& options) {
                 Opened opened{.document = make_document(name, std::move(volume), job.part(0.9, 1))};
                 opened.document.options = options;
                 if (opened.document.volume.dicom) add_screen_facts(opened.document, {job.stop, nullptr});
+                if (hide)
+                    for (Warning& warning : opened.document.volume.warnings)
+                        warning.text = without_names(warning.text, name);
                 return opened;
             } catch (const AmbiguousInput& several) {
                 return Opened{.choice = several.entries};
+            } catch (const Error& error) {
+                if (!hide || error.code() == Errc::cancelled) throw;
+                throw Error(error.code(), without_names(error.what(), name));
             }
         },
         [this, input](Outcome<Opened> outcome) {

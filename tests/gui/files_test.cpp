@@ -10,6 +10,7 @@
 #include "tests/gui/window_fixture.h"
 #include "ui/dropped_files.h"
 #include "ui/features/recent_feature.h"
+#include "ui/hidden_names.h"
 #include "ui/preferences.h"
 
 namespace lacuna::ui::test {
@@ -170,6 +171,43 @@ TEST_F(FilesTest, NamesAreHiddenWithThePatients) {
     preferences::set_hide_patient(false);
     EXPECT_TRUE(window->messageBar()->text().contains(QStringLiteral("left the list")));
     EXPECT_FALSE(window->messageBar()->text().contains(QStringLiteral("Doe"))) << "in the message";
+}
+
+TEST_F(FilesTest, FaultsAreToldWithoutNamesWhilePatientsAreHidden) {
+    const QString sound = write(QStringLiteral("Doe_Jane.nrrd"));
+    QFile file(sound);
+    ASSERT_TRUE(file.resize(file.size() / 2));
+    const auto fault = [&](const QString& input) {
+        QSignalSpy finished(window->loader(), &LoadController::finished);
+        window->loader()->open(input);
+        EXPECT_TRUE(finished.wait(k_patience_ms));
+        return window->messageBar()->text();
+    };
+    EXPECT_TRUE(fault(sound).contains(QStringLiteral("Doe")));
+    preferences::set_hide_patient(true);
+    const QString hidden = fault(sound), folder = fault(QFileInfo(sound).path());
+    preferences::set_hide_patient(false);
+    EXPECT_TRUE(hidden.contains(QStringLiteral("cut"))) << hidden.toStdString();
+    EXPECT_FALSE(hidden.contains(QStringLiteral("Doe"))) << hidden.toStdString();
+    EXPECT_TRUE(folder.contains(QStringLiteral("no DICOM images"))) << folder.toStdString();
+    EXPECT_FALSE(folder.contains(QStringLiteral("Doe"))) << folder.toStdString();
+    EXPECT_FALSE(folder.contains(QFileInfo(sound).path())) << folder.toStdString();
+}
+
+TEST_F(FilesTest, NamesLeaveASentenceWhole) {
+    const std::string input = path(QStringLiteral("Doe Jane.mhd")).toStdString();
+    for (const char* beside : {"1", "42", "a"}) {
+        QFile file(path(QString::fromLatin1(beside)));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    }
+    EXPECT_EQ(without_names("Cannot read " + input + ": its data file Doe Jane.raw is not there.", input),
+              "Cannot read ...: its data file ....raw is not there.");
+    EXPECT_EQ(without_names("Cannot read /else/where.dcm: it is cut short.", input),
+              "Cannot read ...: it is cut short.");
+    EXPECT_EQ(without_names("Cannot read " + input + "/sub/a.dcm: 3 and/or 4 m/s.", input),
+              "Cannot read ...: 3 and/or 4 m/s.");
+    EXPECT_EQ(without_names("1 of 42 slices is a repeat.", input), "1 of 42 slices is a repeat.");
+    EXPECT_EQ(without_names("The samples are casting, head.", "sample:none"), "The samples are casting, head.");
 }
 
 TEST_F(FilesTest, TheListHoldsTen) {

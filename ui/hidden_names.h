@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace lacuna::ui {
+
+/// A sentence about an input (an error's) without the names it has on the disk, which may be those of patients: the
+/// input's own path and name, those of the files in it or beside it, and every other path become "...". Where more
+/// files lie there than can be looked through, all that stays is that it cannot be opened. Cost: the listing of a
+/// folder.
+std::string without_names(const std::string& sentence, const std::string& input);
+
+}  // namespace lacuna::ui
