@@ -216,6 +216,53 @@ Place place_of(const Setting& set, const RegionCharacteristics& row) {
     return place;
 }
 
+/// Voxels a region would have were its threshold a tenth of the contrast tighter, and that much wider.
+class ShiftedCounts {
+public:
+    explicit ShiftedCounts(const Setting& set) {
+        if (!set.exact()) return;
+        const ValueRange r = *set.table.made_with.threshold, all = set.table.value_range;
+        const double shift = 0.1 * std::abs(set.outside - set.inside);  // NaN between two thresholds: no interval
+        const double at_lo = r.lo > all.lo ? shift : 0, at_hi = r.hi < all.hi ? shift : 0;
+        tight_ = {r.lo + at_lo, r.hi - at_hi};
+        wide_ = {r.lo - at_lo, r.hi + at_hi};
+        known_ = std::isfinite(shift);
+    }
+    void add_whole() { ++fewest_, ++most_; }
+    void add_own(float value) { fewest_ += holds(tight_, value), ++most_; }
+    void add_beside(float value) { most_ += holds(wide_, value); }
+
+    /// @param integral_mm3  NaN where there is none
+    void set_interval(RegionCharacteristics& row, double integral_mm3, const GridGeometry& geometry) const {
+        if (!known_) return;
+        const double voxel = geometry.voxel_volume_mm3();
+        double lo = std::min(row.volume_mm3, fewest_ * voxel), hi = std::max(row.volume_mm3, most_ * voxel);
+        if (integral_mm3 < lo) lo = integral_mm3;
+        if (integral_mm3 > hi) hi = integral_mm3;
+        const double by_grid = 0.15 * std::cbrt(voxel) * row.surface_mm2;  // as for values of two levels: voxels count
+        row.volume_lo_mm3 = std::max(0.0, lo - by_grid);
+        row.volume_hi_mm3 = hi + by_grid;
+    }
+
+private:
+    static bool holds(const ValueRange& range, float value) {
+        return double(value) >= range.lo && double(value) <= range.hi;
+    }
+    ValueRange tight_, wide_;
+    bool known_ = false;
+    double fewest_ = 0, most_ = 0;
+};
+
+/// Each of the two surfaces may be off by half the interval of the equivalent diameter, and by half a voxel at least.
+void set_gap_interval(RegionCharacteristics& row, const GridGeometry& geometry) {
+    const auto diameter = [](double volume) { return std::cbrt(6 * volume / std::numbers::pi); };
+    const double own = 0.5 * (diameter(row.volume_hi_mm3) - diameter(row.volume_lo_mm3));
+    const double half_voxel = 0.5 * geometry.smallest_spacing_mm();
+    const double off = 2 * (own > half_voxel ? own : half_voxel);  // NaN: half a voxel
+    row.gap_lo_mm = std::max(0.0, row.gap_mm - off);
+    row.gap_hi_mm = row.gap_mm + off;
+}
+
 /// Grey-value integration between the level of the region's core and that of what lies round it. Other regions keep
 /// their own part of a boundary that is shared, unless regions were grown: then all voxels belong to some region, and
 /// what lies round one is taken as it is.
@@ -225,6 +272,7 @@ void measure_integral(const Setting& set, const Place& place, RegionCharacterist
     SliceReader reader(set.volume, shell.first(), shell.extent());
     Sampled core, round;
     PartialVolume partial;
+    ShiftedCounts shifted(set);
     for (int z = 0; z < shell.extent().z; ++z) {
         set.job.check();
         const RegionShell::SliceView at = shell.slice(z);
@@ -239,8 +287,10 @@ void measure_integral(const Setting& set, const Place& place, RegionCharacterist
             if (at.beyond[i] > k_layers) {
                 core.add(values[i]);
                 partial.add_whole();
+                shifted.add_whole();
             } else if (at.own[i] == 0 || !set.exact() || in_boundary_layer(at, i, k_layers)) {
                 partial.add(double(values[i]));
+                at.own[i] == 0 ? shifted.add_own(values[i]) : shifted.add_beside(values[i]);
             }
         }
     }
@@ -255,6 +305,7 @@ void measure_integral(const Setting& set, const Place& place, RegionCharacterist
     } else {
         row.flags.emplace_back("sides_unclear");
     }
+    shifted.set_interval(row, row.integral_volume_mm3, set.volume.geometry());
 }
 
 void check_measured(const Volume& volume, const RegionTable& table) {
@@ -322,6 +373,7 @@ void measure_surfaces(const Volume& volume, RegionTable& table, const JobContext
     const double touching = 3e-3 * volume.geometry().smallest_spacing_mm();
     for (std::size_t i = 0; i < rows.size(); ++i) {
         rows[i].gap_mm = apart[i].gap_mm > touching ? apart[i].gap_mm : 0;
+        set_gap_interval(rows[i], volume.geometry());
         if (!set.has_part) continue;
         const bool at_surface = !places[i].in_part || rows[i].touches_border || !(apart[i].to_surface_mm > touching);
         rows[i].surface_distance_mm = at_surface ? 0 : apart[i].to_surface_mm;

@@ -44,6 +44,10 @@ Json json_of(const RegionCharacteristics& row) {
     json["integral_volume_mm3"] = row.integral_volume_mm3;
     json["surface_distance_mm"] = row.surface_distance_mm;
     json["gap_mm"] = row.gap_mm;
+    json["volume_lo_mm3"] = row.volume_lo_mm3;
+    json["volume_hi_mm3"] = row.volume_hi_mm3;
+    json["gap_lo_mm"] = row.gap_lo_mm;
+    json["gap_hi_mm"] = row.gap_hi_mm;
     return json;
 }
 
@@ -63,7 +67,8 @@ constexpr const char* k_csv_header =
     "centroid_mm_x,centroid_mm_y,centroid_mm_z,bbox_min_mm_x,bbox_min_mm_y,bbox_min_mm_z,"
     "bbox_max_mm_x,bbox_max_mm_y,bbox_max_mm_z,principal_lengths_mm_1,principal_lengths_mm_2,principal_lengths_mm_3,"
     "surface_crofton_mm2,surface_mesh_mm2,diameter_mm,projected_area_mm2,projected_area_mm2_x,projected_area_mm2_y,"
-    "projected_area_mm2_z,integral_volume_mm3,surface_distance_mm,gap_mm\r\n";
+    "projected_area_mm2_z,integral_volume_mm3,surface_distance_mm,gap_mm,"
+    "volume_lo_mm3,volume_hi_mm3,gap_lo_mm,gap_hi_mm\r\n";
 
 void append_row(std::string& csv, const RegionCharacteristics& row) {
     const auto add = [&csv](std::string_view field) { csv.append(field).push_back(','); };
@@ -84,7 +89,8 @@ void append_row(std::string& csv, const RegionCharacteristics& row) {
     for (const double v : {row.surface_crofton_mm2, row.surface_mesh_mm2, row.diameter_mm}) add(exact_number(v));
     const glm::dvec3 shadow = row.projected_area_mm2;
     add(std::isfinite(shadow.x) ? triple(shadow) : "");
-    for (const double v : {shadow.x, shadow.y, shadow.z, row.integral_volume_mm3, row.surface_distance_mm, row.gap_mm})
+    for (const double v : {shadow.x, shadow.y, shadow.z, row.integral_volume_mm3, row.surface_distance_mm, row.gap_mm,
+                           row.volume_lo_mm3, row.volume_hi_mm3, row.gap_lo_mm, row.gap_hi_mm})
         add(exact_number(v));
     csv.pop_back();
     csv += "\r\n";

@@ -67,6 +67,8 @@ struct RegionCharacteristics {
     double integral_volume_mm3 = k_unmeasured;    ///< partial volumes summed: grey-value integration
     double surface_distance_mm = k_unmeasured;    ///< from its mesh to the part's outer surface, 0 where it reaches it
     double gap_mm = k_unmeasured;                 ///< from its mesh to the next region's; infinity if there is none
+    double volume_lo_mm3 = k_unmeasured, volume_hi_mm3 = k_unmeasured;  ///< interval; of a threshold's regions alone
+    double gap_lo_mm = k_unmeasured, gap_hi_mm = k_unmeasured;
 };
 
 struct RegionTable {

@@ -82,6 +82,50 @@ TEST(RegionSurfaces, MeasureBallsInABlock) {
     }
 }
 
+TEST(RegionSurfaces, IntervalsHoldTheTrueVolumesAndGaps) {
+    for (const glm::dvec3 spacing : {glm::dvec3(1), glm::dvec3(0.5, 0.5, 1), glm::dvec3(0.4, 0.4, 2)})
+        for (const double sigma : {0.05, 0.4, 0.8}) {
+            const glm::ivec3 size(glm::round(glm::dvec3(64, 40, 36) / spacing));
+            const Ball balls[] = {{{14.3, 20.2, 18.4}, 6}, {{28.6, 20.4, 18.1}, 4.2}, {{40.2, 19.7, 17.6}, 3}};
+            const Volume volume = block_with_balls(grid(size, spacing), 4, {balls[0], balls[1], balls[2]}, sigma);
+            const RegionTable table = voids_of(volume);
+            for (const Ball& ball : balls) {
+                const RegionCharacteristics& row = row_at(table, ball.centre);
+                const double truth = 4.0 / 3 * k_pi * std::pow(ball.radius, 3);
+                EXPECT_LE(row.volume_lo_mm3, truth) << spacing.z << " " << sigma << " " << ball.radius;
+                EXPECT_GE(row.volume_hi_mm3, truth) << spacing.z << " " << sigma << " " << ball.radius;
+                EXPECT_LE(row.volume_lo_mm3, row.volume_mm3);
+                EXPECT_GE(row.volume_hi_mm3, row.volume_mm3);
+                EXPECT_LE(row.volume_hi_mm3 - row.volume_lo_mm3, (ball.radius > 4 ? 0.6 : 1.0) * truth);
+            }
+            const auto between = [&](int a, int b) {
+                return glm::length(balls[a].centre - balls[b].centre) - balls[a].radius - balls[b].radius;
+            };
+            const RegionCharacteristics& last = row_at(table, balls[2].centre);
+            EXPECT_LE(last.gap_lo_mm, between(1, 2));
+            EXPECT_GE(last.gap_hi_mm, between(1, 2));
+            EXPECT_LE(last.gap_lo_mm, last.gap_mm);
+            EXPECT_GE(last.gap_hi_mm, last.gap_mm);
+        }
+}
+
+TEST(RegionSurfaces, OfWhatHasNoThresholdHaveNoVolumeInterval) {
+    const Volume volume = block_with_balls(grid({24, 24, 24}), 4, {{{12, 12, 12}, 5}}, 0.5);
+    RegionTable table = grown(volume, 0.2);
+    measure_surfaces(volume, table);
+    for (const RegionCharacteristics& row : table.rows) {
+        EXPECT_TRUE(std::isnan(row.volume_lo_mm3) && std::isnan(row.volume_hi_mm3));
+        EXPECT_EQ(row.gap_lo_mm, 0) << "grown regions touch";
+        EXPECT_EQ(row.gap_hi_mm, 1) << "by half a voxel on either side";
+    }
+    // Between two thresholds there is no one level on the other side.
+    RegionOptions options;
+    options.threshold = ValueRange{3000, 7000};
+    table = find_regions(volume, options);
+    measure_surfaces(volume, table);
+    for (const RegionCharacteristics& row : table.rows) EXPECT_TRUE(std::isnan(row.volume_lo_mm3));
+}
+
 TEST(RegionSurfaces, KeepTheirDigitsFarFromTheOrigin) {
     GridGeometry g = grid({32, 30, 28}, glm::dvec3(0.01));
     RegionOptions options;
