@@ -105,7 +105,7 @@ DicomBrowser::DicomBrowser(TaskList* tasks, QWidget* parent)
       open_(nullptr),
       model_(new QStandardItemModel(this)),
       filter_(new QSortFilterProxyModel(this)),
-      scan_(this, tasks),
+      scan_(this, tasks, AtStake::nothing),
       pictures_(this) {
     setWindowTitle(tr("DICOM browser"));
     resize(860, 620);

@@ -8,6 +8,8 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "ui/core_sentences.h"
+#include "ui/dialogs/close_dialog.h"
 #include "ui/dropped_files.h"
 #include "ui/features/colours_feature.h"
 #include "ui/features/import_feature.h"
@@ -17,6 +19,7 @@
 #include "ui/features/view_history_feature.h"
 #include "ui/preferences.h"
 #include "ui/series_dialog.h"
+#include "ui/widgets/panel_scroll.h"
 
 namespace lacuna::ui {
 
@@ -39,6 +42,7 @@ MainWindow::MainWindow(EngineFactory make_engine, QWidget* parent)
       slices_panel_(new SlicesPanel(this)),
       effects_panel_(new EffectsPanel(this)),
       side_(new QWidget(this)),
+      close_guard_(new CloseGuard(bench_->tasks(), this)),
       engine_job_(this) {
     setWindowTitle(tr("Lacuna"));
     setAcceptDrops(true);
@@ -124,7 +128,13 @@ void MainWindow::buildFeatures() {
     tabifyDockWidget(accuracy_->dock(), measure_->dock());
     tabifyDockWidget(measure_->dock(), limits_->dock());
     regions_->dock()->raise();
-    resizeDocks({regions_->dock()}, {190}, Qt::Vertical);
+    int height = 0;  // all of every panel, where the window has room for it
+    for (const QDockWidget* dock : {regions_->dock(), inspection_->dock(), measure_->dock()}) {
+        const auto* scroll = static_cast<PanelScroll*>(dock->widget());
+        height =
+            std::max(height, scroll->wholePanel().height() + dock->sizeHint().height() - scroll->sizeHint().height());
+    }
+    resizeDocks({regions_->dock()}, {std::max(190, height)}, Qt::Vertical);
 }
 
 void MainWindow::startEngine(EngineFactory make_engine) {
@@ -276,12 +286,11 @@ void MainWindow::showDocument() {
     readOutCursor();
     const auto& warnings = document.volume.warnings;
     if (!warnings.empty()) {
-        QString words = QString::fromStdString(warnings.front().text);
+        QString words = core_sentence(warnings.front().text);
         if (warnings.size() > 1) words += tr(" (and %1 more notes)").arg(warnings.size() - 1);
-        messages_->showNotice(words);
         QStringList all;
-        for (const Warning& warning : warnings) all << QString::fromStdString(warning.text);
-        messages_->setToolTip(all.join(QLatin1Char('\n')));
+        for (const Warning& warning : warnings) all << core_sentence(warning.text);
+        messages_->showNotice(words, all.join(QLatin1Char('\n')));
     }
     scheduler_->setSize(views_->volumeView()->pixelSize());
     renderScene();
@@ -395,6 +404,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!close_guard_->mayClose()) return event->ignore();
     session_->finish();
     bench_->tasks()->cancelAll();
     scheduler_->cancel();

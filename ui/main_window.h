@@ -37,6 +37,8 @@ class QActionGroup;
 
 namespace lacuna::ui {
 
+class CloseGuard;
+
 /// The workstation's window: puts views, panels and features together and carries values between them.
 class MainWindow final : public QMainWindow {
     Q_OBJECT
@@ -63,6 +65,7 @@ public:
     LimitsFeature* limitsFeature() const { return limits_; }
     FourUp* views() const { return views_; }
     LayoutFeature* layoutFeature() const { return layout_; }
+    CloseGuard* closeGuard() const { return close_guard_; }
     SettingsFeature* settingsFeature() const { return settings_; }
     RenderPanel* renderPanel() const { return render_panel_; }
     TransferPanel* transferPanel() const { return transfer_panel_; }
@@ -145,6 +148,7 @@ private:
     CutFeature* cuts_ = nullptr;
     PickFeature* pick_ = nullptr;
     HandFeature* hand_ = nullptr;
+    CloseGuard* close_guard_;
     QActionGroup* modes_ = nullptr;
     ViewSettings rendered_;  ///< the 3D picture is of these
     QTimer slow_frame_;      ///< a frame is only worth a progress bar when it takes its time

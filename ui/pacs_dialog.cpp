@@ -44,6 +44,7 @@ std::string started(const QString& words) {
 
 PacsDialog::PacsDialog(TaskList* tasks, QWidget* parent)
     : QDialog(parent),
+      tasks_(tasks),
       server_(new QComboBox(this)),
       name_(new QLineEdit(this)),
       id_(new QLineEdit(this)),
@@ -52,9 +53,9 @@ PacsDialog::PacsDialog(TaskList* tasks, QWidget* parent)
       modality_(new QComboBox(this)),
       results_(new QTreeWidget(this)),
       status_(new QLabel(this)),
-      echo_(this, tasks),
-      find_(this, tasks),
-      series_(this, tasks),
+      echo_(this, tasks, AtStake::nothing),
+      find_(this, tasks, AtStake::nothing),
+      series_(this, tasks, AtStake::nothing),
       get_(this, tasks),
       store_(this, tasks) {
     setWindowTitle(tr("DICOM servers (PACS)"));
@@ -339,6 +340,7 @@ void PacsDialog::retrieve(const QString& folder) {
                 QString words = tr("%n files retrieved.", nullptr, transfer.done);
                 if (transfer.failed > 0) words += tr(" The server could not send %n.", nullptr, transfer.failed);
                 if (!transfer.fault.empty()) words += tr(" It is not all: %1").arg(core_sentence(transfer.fault));
+                if (transfer.failed > 0 || !transfer.fault.empty()) Q_EMIT tasks_->failed();
                 status_->setText(words);
                 Q_EMIT retrieved(folder);
             }
@@ -366,7 +368,10 @@ void PacsDialog::send(const QStringList& files) {
             if (!failed(outcome)) {
                 const PacsTransfer& transfer = std::get<0>(outcome);
                 QString words = tr("%n files sent.", nullptr, transfer.done);
-                if (transfer.failed > 0) words += tr(" The server did not take %n.", nullptr, transfer.failed);
+                if (transfer.failed > 0) {
+                    words += tr(" The server did not take %n.", nullptr, transfer.failed);
+                    Q_EMIT tasks_->failed();
+                }
                 status_->setText(words);
             }
             Q_EMIT finished();

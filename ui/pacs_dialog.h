@@ -52,6 +52,7 @@ private:
     template <class T>
     bool failed(const Outcome<T>& outcome);
 
+    TaskList* tasks_;
     std::vector<PacsServer> servers_;
     QComboBox* server_;
     QLineEdit* name_;

@@ -1,36 +1,28 @@
 #include "ui/status_line.h"
 
+#include <QLocale>
 #include <QMenu>
 #include <QToolButton>
 #include <algorithm>
 
 namespace lacuna::ui {
 
-namespace {
-
-QString task_text(const TaskList::Row& row) {
-    const std::optional<double> left = row.secondsLeft();
-    return left ? QStringLiteral("%1 · %2").arg(row.name, time_left_text(*left)) : row.name;
-}
-
-}  // namespace
-
 StatusLine::StatusLine(TaskList* tasks, QWidget* parent)
     : QStatusBar(parent),
       tasks_(tasks),
-      readout_(new QLabel(this)),
-      what_(new QLabel(this)),
-      frame_(new QLabel(this)),
-      device_(new QLabel(this)),
+      readout_(new ElidedLabel(24, this)),
+      what_(new ElidedLabel(10, this)),
+      frame_(new ElidedLabel(10, this)),
+      device_(new ElidedLabel(6, this)),
       bar_(new QProgressBar(this)),
       cancel_(new QPushButton(tr("Cancel"), this)),
       more_(new QToolButton(this)) {
     setSizeGripEnabled(false);
     setContentsMargins(8, 0, 8, 0);
-    readout_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // its text never widens the window
     readout_->setAccessibleName(tr("Value under the cursor"));
     frame_->setAccessibleName(tr("Last frame"));
     device_->setAccessibleName(tr("Device"));
+    device_->setMaximumWidth(260);
     bar_->setAccessibleName(tr("Progress"));
     bar_->setFixedWidth(160);
     bar_->setMaximumHeight(16);
@@ -56,18 +48,15 @@ StatusLine::StatusLine(TaskList* tasks, QWidget* parent)
 
 void StatusLine::showReadout(const QString& text) { readout_->setText(text); }
 
-void StatusLine::showDevice(const QString& name) {
-    device_->setText(fontMetrics().elidedText(name, Qt::ElideRight, 260));
-    device_->setToolTip(name);
-}
+void StatusLine::showDevice(const QString& name) { device_->setText(name); }
 
 void StatusLine::showFrame(const FrameFacts& facts, std::size_t volume_bytes) {
     const double mib = double(facts.bytes_held + volume_bytes) / (1024.0 * 1024.0);
     frame_->setText(tr("%1 · %2 ms%3 · %4 MiB")
                         .arg(facts.plan)
-                        .arg(facts.ms, 0, 'f', facts.ms < 10 ? 1 : 0)
+                        .arg(QLocale().toString(facts.ms, 'f', facts.ms < 9.95 ? 1 : 0))
                         .arg(facts.coarse ? tr(" (coarse)") : QString())
-                        .arg(mib, 0, 'f', mib < 10 ? 1 : 0));
+                        .arg(QLocale().toString(mib, 'f', mib < 9.95 ? 1 : 0)));
     showDevice(facts.device);
 }
 

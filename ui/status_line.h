@@ -7,6 +7,7 @@
 
 #include "ui/frame_scheduler.h"
 #include "ui/task_list.h"
+#include "ui/widgets/elided_label.h"
 
 class QToolButton;
 
@@ -24,13 +25,15 @@ public:
     QPushButton* cancelButton() const { return cancel_; }
     QString readout() const { return readout_->text(); }
     QString frameText() const { return frame_->text(); }
+    ElidedLabel* frameLabel() const { return frame_; }
+    ElidedLabel* readoutLabel() const { return readout_; }
 
 private:
     void showTasks();
     void listTasks();
 
     TaskList* tasks_;
-    QLabel *readout_, *what_, *frame_, *device_;
+    ElidedLabel *readout_, *what_, *frame_, *device_;
     QProgressBar* bar_;
     QPushButton* cancel_;
     QToolButton* more_;

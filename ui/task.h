@@ -16,7 +16,8 @@ public:
     using Done = typename LatestJob<T>::Done;
 
     /// @param owner  lives on the window's thread and outlives this
-    Task(QObject* owner, TaskList* list) : list_(list), job_(owner) {}
+    Task(QObject* owner, TaskList* list, AtStake at_stake = AtStake::work)
+        : list_(list), at_stake_(at_stake), job_(owner) {}
     ~Task() { leave(); }
     Task(const Task&) = delete;
     Task& operator=(const Task&) = delete;
@@ -24,7 +25,8 @@ public:
     void start(const QString& name, Work work, Done done) {
         leave();
         done_ = std::move(done);
-        id_ = list_->begin(name, [this] { cancel(); });
+        id_ = list_->begin(
+            name, [this] { cancel(); }, at_stake_);
         job_.start(
             std::move(work),
             [this](Outcome<T> outcome) {
@@ -52,10 +54,15 @@ private:
     }
     void finish(Outcome<T> outcome) {
         const Done done = std::exchange(done_, nullptr);  // it may start the next one
+        const Error* error = std::get_if<Error>(&outcome);
+        const bool failed = error && error->code() != Errc::cancelled;
+        const QPointer<TaskList> list = list_;
         if (done) done(std::move(outcome));
+        if (failed && list) Q_EMIT list->failed();
     }
 
     QPointer<TaskList> list_;
+    AtStake at_stake_;
     TaskList::Id id_ = 0;
     Done done_;
     LatestJob<T> job_;

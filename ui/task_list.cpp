@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace lacuna::ui {
 
@@ -11,15 +12,23 @@ std::optional<double> TaskList::Row::secondsLeft() const {
     return seconds * (1 - share) / share;
 }
 
-TaskList::Id TaskList::begin(const QString& name, std::function<void()> cancel) {
+TaskList::Id TaskList::begin(const QString& name, std::function<void()> cancel, AtStake at_stake) {
     Row row;
     row.id = ++last_;
     row.name = name;
+    row.at_stake = at_stake;
     row.since.start();
     row.cancel = std::move(cancel);
     rows_.push_back(std::move(row));
     Q_EMIT changed();
     return last_;
+}
+
+std::vector<TaskList::Row> TaskList::workAtStake() const {
+    std::vector<Row> work;
+    std::copy_if(rows_.begin(), rows_.end(), std::back_inserter(work),
+                 [](const Row& row) { return row.at_stake == AtStake::work; });
+    return work;
 }
 
 TaskList::Row* TaskList::find(Id id) {
@@ -48,6 +57,11 @@ void TaskList::cancel(Id id) {
 void TaskList::cancelAll() {
     const std::vector<Row> rows = rows_;
     for (const Row& row : rows) cancel(row.id);
+}
+
+QString task_text(const TaskList::Row& row) {
+    const std::optional<double> left = row.secondsLeft();
+    return left ? QStringLiteral("%1 · %2").arg(row.name, time_left_text(*left)) : row.name;
 }
 
 QString time_left_text(double seconds) {

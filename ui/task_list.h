@@ -9,6 +9,10 @@
 
 namespace lacuna::ui {
 
+/// What is lost when a job is ended before its time: work somebody asked for (a file, a transfer, a result), or nothing
+/// that would not be there again.
+enum class AtStake { nothing, work };
+
 /// The long jobs of a window in one place: what runs, how far it is, how long it will still take, how to stop it.
 /// Lives on the window's thread; Task (task.h) enters its jobs here.
 class TaskList final : public QObject {
@@ -20,6 +24,7 @@ public:
         Id id = 0;
         QString name;
         double share = -1;  ///< 0..1; below 0: not known yet
+        AtStake at_stake = AtStake::nothing;
         QElapsedTimer since;
         std::function<void()> cancel;
 
@@ -30,7 +35,7 @@ public:
     explicit TaskList(QObject* parent = nullptr) : QObject(parent) {}
 
     /// @param cancel  stops the work and ends the row
-    Id begin(const QString& name, std::function<void()> cancel);
+    Id begin(const QString& name, std::function<void()> cancel, AtStake at_stake = AtStake::nothing);
     void progress(Id id, double share);
     void end(Id id);
     /// Asks a job to stop; does nothing for one that has ended.
@@ -39,15 +44,21 @@ public:
 
     /// Oldest first.
     const std::vector<Row>& rows() const { return rows_; }
+    /// Those whose end would lose work.
+    std::vector<Row> workAtStake() const;
 
 Q_SIGNALS:
     void changed();  ///< rows came, went or went on
+    void failed();   ///< a job's work did not become what was asked for; not of one that was cancelled
 
 private:
     Row* find(Id id);
     std::vector<Row> rows_;
     Id last_ = 0;
 };
+
+/// "Saving the volume", and how long it will still take where that is known.
+QString task_text(const TaskList::Row& row);
 
 /// "2 min 5 s left" in words a person would use; rounded, because it is a guess.
 QString time_left_text(double seconds);

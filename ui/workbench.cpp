@@ -3,6 +3,8 @@
 #include <QEvent>
 #include <QMenuBar>
 
+#include "ui/widgets/panel_scroll.h"
+
 namespace lacuna::ui {
 
 Workbench::Workbench(QMainWindow* window, FourUp* views, MessageBar* messages)
@@ -55,7 +57,9 @@ void Workbench::needDocument(QWidget* panel) {
 QDockWidget* Workbench::addDock(const QString& id, const QString& title, QWidget* panel, Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title, window_);
     dock->setObjectName(id);
-    dock->setWidget(panel);
+    // Beside the views a panel keeps its width, below them it may be scrolled both ways.
+    const bool beside = area == Qt::LeftDockWidgetArea || area == Qt::RightDockWidgetArea;
+    dock->setWidget(new PanelScroll(panel, beside ? QSize(QWIDGETSIZE_MAX, 160) : QSize(340, 120), dock));
     window_->addDockWidget(area, dock);
     submenu(Menu::view, tr("&Panels"))->addAction(dock->toggleViewAction());
     return dock;

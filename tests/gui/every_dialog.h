@@ -15,6 +15,7 @@
 #include "ui/action_catalog.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/batch_dialog.h"
+#include "ui/dialogs/close_dialog.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/log_window.h"
 #include "ui/dialogs/settings_dialog.h"
@@ -74,6 +75,14 @@ inline std::vector<DialogMaker> every_dialog(MainWindow& window, const QString& 
                    }});
     all.push_back(
         {"palette", [parent] { return std::make_unique<CommandPalette>(catalog_of(parent->menuBar()), parent); }});
+    all.push_back({"close", [parent] {
+                       auto tasks = std::make_unique<TaskList>();
+                       tasks->begin(ExportFeature::tr("Saving the volume"), {}, AtStake::work);
+                       tasks->begin(ExportFeature::tr("Drawing a turntable"), {}, AtStake::work);
+                       auto dialog = std::make_unique<CloseDialog>(tasks.get(), parent);
+                       tasks.release()->setParent(dialog.get());
+                       return dialog;
+                   }});
     all.push_back({"batch", [parent] {
                        const auto device = [](const JobContext&) { return std::shared_ptr<ComputeDevice>(); };
                        return std::make_unique<BatchDialog>(parent->bench()->tasks(), device, parent);

@@ -31,7 +31,7 @@ ViewSettings asked(const ViewSettings& settings) {
 }  // namespace
 
 AccuracyMonitor::AccuracyMonitor(Workbench& bench)
-    : QObject(&bench), bench_(bench), plan_(this, bench.tasks()), measure_(this), visit_(this) {
+    : QObject(&bench), bench_(bench), plan_(this, bench.tasks(), AtStake::nothing), measure_(this), visit_(this) {
     idle_.setSingleShot(true);
 
     connect(&idle_, &QTimer::timeout, this, &AccuracyMonitor::work);

@@ -25,7 +25,10 @@ MessageBar::MessageBar(QWidget* parent) : QFrame(parent), row_(new QHBoxLayout(t
 }
 
 void MessageBar::showError(const QString& sentence) { showText(core_sentence(sentence), true); }
-void MessageBar::showNotice(const QString& sentence) { showText(sentence, false); }
+void MessageBar::showNotice(const QString& sentence, const QString& details) {
+    showText(sentence, false);
+    setToolTip(details);
+}
 
 void MessageBar::dismiss() {
     hide();
@@ -51,6 +54,7 @@ void MessageBar::ask(const QString& sentence, const Answers& answers) {
 
 void MessageBar::showText(const QString& sentence, bool error) {
     error_ = error;
+    setToolTip({});  // of the message before
     label_->setText(question_.isEmpty() ? sentence : sentence + QLatin1Char('\n') + question_);
     show();
     update();
