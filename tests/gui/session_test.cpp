@@ -118,6 +118,50 @@ TEST_F(SessionTest, ClosingTheWindowDoesNotLoseASave) {
     EXPECT_TRUE(SessionFeature::autosaveFolder().entryList({QStringLiteral("autosave-*.lacuna")}).isEmpty());
 }
 
+TEST_F(SessionTest, ASecondSaveDoesNotReplaceOneThatStillRuns) {
+    open(k_casting);
+    // Large enough that the first still hashes its voxels when the others come.
+    window->documents()->open(make_document("sample:spheres@200", open_volume("sample:spheres@200")));
+    changeThings();
+    const QString first = folder.filePath(QStringLiteral("first.lacuna"));
+    const QString second = folder.filePath(QStringLiteral("second.lacuna"));
+    const auto iso = [this](double value) {
+        window->bench()->edit(QStringLiteral("Isovalue"), [value](ViewSettings& s) { s.iso = value; });
+    };
+    QSignalSpy saved(session(), &SessionFeature::saved);
+    session()->saveTo(first);
+    iso(11);
+    session()->saveTo(second);
+    iso(12);
+    session()->saveTo(second);  // takes the place of the one that waits for the same file
+    ASSERT_TRUE(QTest::qWaitFor([&] { return saved.count() == 2; }, k_patience_ms));
+    EXPECT_EQ(load_session(first.toStdString()).settings.iso, 1234.5);
+    EXPECT_EQ(load_session(second.toStdString()).settings.iso, 12);
+    EXPECT_EQ(saved.at(0).at(0).toString(), first);
+    EXPECT_EQ(saved.at(1).at(0).toString(), second);
+    EXPECT_FALSE(window->isWindowModified());
+    QVariantMap state;
+    Q_EMIT window->bench()->stateWanted(state);
+    EXPECT_EQ(state[QStringLiteral("session/file")].toString(), second);
+}
+
+TEST_F(SessionTest, ClosingTheWindowLosesNoneOfSeveralSaves) {
+    open(k_casting);
+    window->documents()->open(make_document("sample:spheres@300", open_volume("sample:spheres@300")));
+    changeThings();
+    const QString first = folder.filePath(QStringLiteral("first.lacuna"));
+    const QString second = folder.filePath(QStringLiteral("second.lacuna"));
+    session()->saveTo(first);
+    window->bench()->edit(QStringLiteral("Isovalue"), [](ViewSettings& s) { s.iso = 11; });
+    session()->saveTo(second);
+    window->close();
+    window.reset();
+    ASSERT_TRUE(QFile::exists(first));
+    ASSERT_TRUE(QFile::exists(second));
+    EXPECT_EQ(load_session(first.toStdString()).settings.iso, 1234.5);
+    EXPECT_EQ(load_session(second.toStdString()).settings.iso, 11);
+}
+
 TEST_F(SessionTest, IsNotShownOnDataThatWasOpenedOtherwiseMeanwhile) {
     const QString data = writeData(10);
     open(data);

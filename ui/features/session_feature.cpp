@@ -4,6 +4,7 @@
 #include <QStandardPaths>
 #include <QThread>
 #include <QUuid>
+#include <algorithm>
 #include <cstdlib>
 #include <tuple>
 #include <utility>
@@ -65,7 +66,7 @@ SessionFeature::SessionFeature(Workbench& bench, InspectionFeature& inspection, 
       read_(this),
       hash_(this),
       write_(std::in_place, this),
-      save_(this, bench.tasks()) {
+      save_(std::in_place, this, bench.tasks(), AtStake::nothing) {  // the window's end writes what is left
     buildMenu();
     const QString name = QStringLiteral("autosave-") + QUuid::createUuid().toString(QUuid::WithoutBraces);
     autosave_file_ = autosaveFolder().filePath(name + QLatin1String(k_session_suffix));
@@ -120,11 +121,10 @@ void SessionFeature::keepNow() {
 
 void SessionFeature::finish() {
     write_.reset();  // one that is being written would come after what follows
-    if (saving_) {
-        const auto [session, file] = *std::exchange(saving_, std::nullopt);
-        save_.cancel();
+    save_.reset();
+    for (const Saving& left : std::exchange(saving_, {})) {
         try {
-            save_session(session, file.toStdString());
+            save_session(left.session, left.file.toStdString());
         } catch (const Error&) {  // whose sentence names the file, and that may be a patient's name
             log(LogLevel::error, "The session could not be saved while the window closed.");
         }
@@ -189,18 +189,30 @@ Session SessionFeature::current() const {
 }
 
 void SessionFeature::saveTo(const QString& file) {
-    if (!bench_.documents()->hasDocument()) return;
-    saving_.emplace(current(), file);
-    save_.start(
+    if (!save_ || !bench_.documents()->hasDocument()) return;
+    // What waits for the same file is out of date; what is being written there is written before this.
+    if (saving_.size() > 1)
+        saving_.erase(std::remove_if(saving_.begin() + 1, saving_.end(),
+                                     [&](const Saving& waiting) { return waiting.file == file; }),
+                      saving_.end());
+    saving_.push_back({current(), bench_.documents()->document().volume, file, opened_, changes_});
+    if (saving_.size() == 1) saveNext();
+}
+
+void SessionFeature::saveNext() {
+    if (saving_.empty()) return;
+    Saving& next = saving_.front();
+    if (next.session.sha256.empty() && next.opened == opened_) next.session.sha256 = sha256_;
+    save_->start(
         tr("Saving the session"),
-        [session = saving_->first, volume = bench_.documents()->document().volume,
-         file](const JobContext& job) mutable {
+        [session = next.session, volume = next.volume, file = next.file](const JobContext& job) mutable {
             if (session.sha256.empty()) session.sha256 = voxel_sha256(volume, job);
             save_session(session, file.toStdString());
             return file;
         },
-        [this, opened = opened_, changes = changes_](Outcome<QString> outcome) {
-            saving_.reset();
+        [this, opened = next.opened, changes = next.changes](Outcome<QString> outcome) {
+            saving_.pop_front();
+            saveNext();
             if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
             const QString& written = std::get<0>(outcome);
             // Other data may have been opened since, and things been changed: neither is what was saved.

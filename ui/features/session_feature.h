@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QLockFile>
 #include <QTimer>
+#include <deque>
 #include <memory>
 #include <optional>
 
@@ -48,6 +49,7 @@ Q_SIGNALS:
 
 private:
     void buildMenu();
+    void saveNext();
     void changed();
     void moved();
     void documentOpened();
@@ -71,8 +73,15 @@ private:
     std::string sha256_;  ///< of the open volume; empty: not known yet
     bool dirty_ = false, autosave_fails_ = false;
     int opened_ = 0, changes_ = 0;  ///< documents so far; changes that are asked about
-    /// What save_ is about to write, so that the end of the window does not lose it.
-    std::optional<std::pair<Session, QString>> saving_;
+    struct Saving {
+        Session session;
+        Volume volume;
+        QString file;
+        int opened = 0, changes = 0;  ///< as opened_ and changes_ were then
+    };
+    /// What is still to be written, in the order it was asked for; the front is being written. So neither a save into
+    /// another file nor the end of the window loses one.
+    std::deque<Saving> saving_;
     QTimer autosave_timer_;
     QElapsedTimer since_autosave_, since_change_;
     QString autosave_file_;
@@ -84,7 +93,7 @@ private:
     LatestJob<Found> read_;
     LatestJob<std::string> hash_;
     std::optional<LatestJob<bool>> write_;  ///< until finish()
-    Task<QString> save_;
+    std::optional<Task<QString>> save_;     ///< until finish()
 };
 
 }  // namespace lacuna::ui
