@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 #include <string>
 #include <string_view>
@@ -9,10 +10,19 @@
 
 namespace lacuna {
 
-/// Where one looks from and where the slices are.
+/// How near one looks at a slice: its size against the one that fits the view, and how far its middle lies from the
+/// view's, in pixels.
+struct SliceZoom {
+    double zoom = 1;
+    glm::dvec2 pan{0};
+    friend bool operator==(const SliceZoom&, const SliceZoom&) = default;
+};
+
+/// Where one looks from, where the slices are, and how near they are looked at.
 struct Viewpoint {
     Camera camera;
     glm::dvec3 cursor_mm{0};
+    std::array<SliceZoom, 3> slices{};  ///< axial, coronal, sagittal
     friend bool operator==(const Viewpoint&, const Viewpoint&) = default;
 };
 

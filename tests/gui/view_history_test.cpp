@@ -1,5 +1,6 @@
 // View > Previous view and Next view: the camera and the cross-hair go back and forward, undo leaves them alone.
 #include <QMenuBar>
+#include <QMouseEvent>
 #include <QTemporaryDir>
 
 #include "tests/gui/window_fixture.h"
@@ -79,6 +80,41 @@ TEST_F(ViewHistoryTest, WhatMovesTogetherGoesBackTogether) {
     back();
     EXPECT_EQ(document().camera, before.camera);
     EXPECT_EQ(document().cursor_mm, before.cursor_mm);
+}
+
+TEST_F(ViewHistoryTest, TheZoomOfASliceGoesBackToo) {
+    open(k_casting);
+    SliceView* axial = window->views()->slice(SliceKind::axial);
+    SliceView* coronal = window->views()->slice(SliceKind::coronal);
+    const QRectF whole = axial->pictureRect();
+    QTest::keyClick(axial, Qt::Key_Plus);
+    QTest::keyClick(axial, Qt::Key_Plus);
+    const QRectF near = axial->pictureRect();
+    ASSERT_GT(near.width(), whole.width());
+    EXPECT_EQ(history().back_name(), "zoom of a slice");
+    QTest::mousePress(axial, Qt::MiddleButton, {}, QPoint(60, 60));
+    QMouseEvent move(QEvent::MouseMove, QPointF(90, 75), axial->mapToGlobal(QPointF(90, 75)), Qt::NoButton,
+                     Qt::MiddleButton, {});
+    QApplication::sendEvent(axial, &move);
+    QTest::mouseRelease(axial, Qt::MiddleButton, {}, QPoint(90, 75));
+    EXPECT_EQ(axial->pictureRect().topLeft(), near.topLeft() + QPointF(30, 15));
+    QTest::keyClick(coronal, Qt::Key_Plus);
+    const QRectF moved = axial->pictureRect();
+    back();
+    EXPECT_EQ(coronal->zoom(), SliceZoom{});
+    EXPECT_EQ(axial->pictureRect(), moved);
+    back();
+    EXPECT_EQ(axial->pictureRect(), near);
+    back();
+    EXPECT_EQ(axial->pictureRect(), whole);
+    EXPECT_FALSE(history().can_go_back());
+    forward();
+    EXPECT_EQ(axial->pictureRect(), near);
+    QTest::keyClick(axial, Qt::Key_Home);
+    EXPECT_EQ(axial->pictureRect(), whole);
+    back();
+    EXPECT_EQ(axial->pictureRect(), near) << "showing all can be taken back";
+    EXPECT_FALSE(window->documents()->history().can_undo());
 }
 
 TEST_F(ViewHistoryTest, PerspectiveGoesBackWithItsTick) {

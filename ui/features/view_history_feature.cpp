@@ -21,13 +21,16 @@ ViewHistoryFeature::ViewHistoryFeature(Workbench& bench)
                                &ViewHistoryFeature::forward);
     turn_end_.setSingleShot(true);
     turn_end_.setInterval(0);
-    connect(&turn_end_, &QTimer::timeout, this, [this] { in_turn_ = Moved::nothing; });
+    connect(&turn_end_, &QTimer::timeout, this, [this] { in_turn_ = nothing; });
     DocumentController* documents = bench.documents();
     connect(documents, &DocumentController::opened, this, &ViewHistoryFeature::reset);
-    connect(documents, &DocumentController::cameraChanged, this, [this] { note(Moved::camera); });
-    connect(documents, &DocumentController::cursorChanged, this, [this] { note(Moved::cursor); });
+    connect(documents, &DocumentController::cameraChanged, this, [this] { note(camera); });
+    connect(documents, &DocumentController::cursorChanged, this, [this] { note(cursor); });
     bench.views()->volumeView()->installEventFilter(this);
-    for (SliceView* slice : bench.views()->slices()) slice->installEventFilter(this);
+    for (SliceView* slice : bench.views()->slices()) {
+        slice->installEventFilter(this);
+        connect(slice, &SliceView::zoomChanged, this, [this] { note(zoom); });
+    }
     // A command is a step of its own: "from the left" after "from the front" can be taken back alone.
     for_commands(view, [this](QAction* action) { connect(action, &QAction::triggered, this, [this] { seal(); }); });
     connect(&bench, &Workbench::stateWanted, this,
@@ -36,6 +39,10 @@ ViewHistoryFeature::ViewHistoryFeature(Workbench& bench)
         const QVariant kept = state[QStringLiteral("views/history")];
         if (!kept.canConvert<ViewHistory>()) return;
         history_ = kept.value<ViewHistory>();
+        going_ = true;
+        for (std::size_t i = 0; i < history_.now().slices.size(); ++i)
+            bench_.views()->slices()[i]->setZoom(history_.now().slices[i]);
+        going_ = false;
         show();
     });
     show();
@@ -43,32 +50,35 @@ ViewHistoryFeature::ViewHistoryFeature(Workbench& bench)
 
 Viewpoint ViewHistoryFeature::viewpoint() const {
     const Document& document = bench_.documents()->document();
-    return {document.camera, document.cursor_mm};
+    Viewpoint now{document.camera, document.cursor_mm};
+    for (std::size_t i = 0; i < now.slices.size(); ++i) now.slices[i] = bench_.views()->slices()[i]->zoom();
+    return now;
 }
 
 void ViewHistoryFeature::reset() {
     if (bench_.documents()->hasDocument()) history_.reset(viewpoint());
-    in_turn_ = last_ = Moved::nothing;
+    in_turn_ = last_ = nothing;
     show();
 }
 
 void ViewHistoryFeature::seal() {
     history_.seal();
-    last_ = Moved::nothing;
+    last_ = nothing;
 }
 
 void ViewHistoryFeature::note(Moved moved) {
     if (going_ || !bench_.documents()->hasDocument()) return;
-    const auto with = [](Moved a, Moved b) { return a == Moved::nothing || a == b ? b : Moved::both; };
-    const bool joins = in_turn_ != Moved::nothing && in_turn_ != moved;  // a row chosen moves the slices, then the view
-    in_turn_ = with(in_turn_, moved);
+    const bool joins = in_turn_ != nothing && in_turn_ != moved;  // a row chosen moves the slices, then the view
+    in_turn_ |= moved;
     turn_end_.start();
     gesture_end_.start();
     if (!joins && last_ != in_turn_) history_.seal();
     last_ = in_turn_;
-    const QString name = in_turn_ == Moved::camera   ? tr("3D view")
-                         : in_turn_ == Moved::cursor ? tr("cross-hair")
-                                                     : tr("3D view and cross-hair");
+    const QString name = in_turn_ == camera              ? tr("3D view")
+                         : in_turn_ == cursor            ? tr("cross-hair")
+                         : in_turn_ == zoom              ? tr("zoom of a slice")
+                         : in_turn_ == (camera | cursor) ? tr("3D view and cross-hair")
+                                                         : tr("several views");
     history_.note(name.toStdString(), viewpoint(), joins);
     show();
 }
@@ -86,6 +96,7 @@ void ViewHistoryFeature::go(const Viewpoint& to) {
     going_ = true;
     bench_.documents()->setCamera(there.camera);
     bench_.documents()->setCursor(there.cursor_mm);
+    for (std::size_t i = 0; i < there.slices.size(); ++i) bench_.views()->slices()[i]->setZoom(there.slices[i]);
     going_ = false;
     seal();
     show();

@@ -8,8 +8,8 @@
 
 namespace lacuna::ui {
 
-/// View > Previous view and Next view: back and forward through where one looked from and where the slices were, by
-/// menu, keys and the mouse's side buttons. A drag, a run of keys or of wheel notches is one step.
+/// View > Previous view and Next view: back and forward through where one looked from, where the slices were and how
+/// near, by menu, keys and the mouse's side buttons. A drag, a run of keys or of wheel notches is one step.
 class ViewHistoryFeature final : public QObject {
     Q_OBJECT
 public:
@@ -29,7 +29,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    enum class Moved { nothing, camera, cursor, both };
+    /// Bits: what moves in one turn is one step.
+    enum Moved : unsigned { nothing = 0, camera = 1, cursor = 2, zoom = 4 };
     Viewpoint viewpoint() const;
     void note(Moved moved);
     void go(const Viewpoint& to);
@@ -41,8 +42,8 @@ private:
     QAction *back_, *forward_;
     GestureEnd gesture_end_;
     QTimer turn_end_;
-    Moved in_turn_ = Moved::nothing;  ///< within this turn of the event loop: what moves in one turn is one step
-    Moved last_ = Moved::nothing;
+    unsigned in_turn_ = nothing;  ///< within this turn of the event loop
+    unsigned last_ = nothing;
     bool going_ = false;
 };
 

@@ -89,10 +89,14 @@ void SliceView::setNotesShown(bool shown) {
     update();
 }
 
-void SliceView::resetView() {
-    zoom_ = 1;
-    pan_ = {};
+void SliceView::resetView() { setZoom({}); }
+
+void SliceView::setZoom(const SliceZoom& zoom) {
+    if (zoom == this->zoom()) return;
+    zoom_ = zoom.zoom;
+    pan_ = {zoom.pan.x, zoom.pan.y};
     update();
+    Q_EMIT zoomChanged();
 }
 
 double SliceView::depthTolerance() const { return 0.5 * std::max(pose_.page_mm, settings_.slab.thickness_mm) + 1e-6; }
@@ -222,9 +226,8 @@ void SliceView::windowBy(double width_share, double level_share) {
 
 void SliceView::zoomBy(double factor) {
     const double zoom = std::clamp(zoom_ * factor, 0.2, 60.0);
-    pan_ *= zoom / zoom_;
-    zoom_ = zoom;
-    update();
+    const QPointF pan = pan_ * (zoom / zoom_);
+    setZoom({zoom, {pan.x(), pan.y()}});
 }
 
 void SliceView::hover(const QPointF& position) {
@@ -252,10 +255,7 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
     const bool taken =
         std::any_of(tools_.begin(), tools_.end(), [&](SliceTool* tool) { return tool->move(*this, *event); });
     if (!taken && !tool_drag_ && (event->buttons() & Qt::LeftButton)) moveCursorTo(toMm(event->position()));
-    if (event->buttons() & Qt::MiddleButton) {
-        pan_ += moved;
-        update();
-    }
+    if (event->buttons() & Qt::MiddleButton) setZoom({zoom_, {pan_.x() + moved.x(), pan_.y() + moved.y()}});
     if (event->buttons() & Qt::RightButton) windowBy(moved.x() / 150, moved.y() / 300);
     if (!taken && event->buttons() == Qt::NoButton) setCursor(Qt::CrossCursor);
     hover(event->position());

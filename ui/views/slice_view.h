@@ -6,6 +6,7 @@
 
 #include "core/render/scene.h"
 #include "core/session/slice_settings.h"
+#include "core/session/view_history.h"
 #include "ui/views/slice_annotations.h"
 #include "ui/views/slice_picture.h"
 #include "ui/views/slice_plane.h"
@@ -51,6 +52,8 @@ public:
     glm::dvec3 toMm(const QPointF& position) const;  ///< in the plane
     QPointF toWidget(const glm::dvec3& mm) const;    ///< of the foot of the perpendicular onto the plane
     QPointF directionInWidget(const glm::dvec3& direction) const;
+    lacuna::SliceZoom zoom() const { return {zoom_, {pan_.x(), pan_.y()}}; }
+    void setZoom(const lacuna::SliceZoom& zoom);
     QRectF pictureRect() const;  ///< where the slice lies in the widget, its sizes in mm kept
     QSize sizeHint() const override { return {360, 300}; }
 
@@ -63,6 +66,7 @@ Q_SIGNALS:
     void tiltEdited(const glm::dquat& tilt);
     void hovered(const glm::ivec3& voxel);  ///< the voxel under the mouse, always inside the grid
     void left();                            ///< the mouse is over no voxel
+    void zoomChanged();                     ///< also by setZoom()
     void maximizeRequested();
 
 protected:
