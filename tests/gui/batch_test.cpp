@@ -76,8 +76,11 @@ TEST_F(BatchTest, PausedCancelledAndGoneOnWith) {
 
 TEST_F(BatchTest, WhatIsOffIsSaidBeforeAnythingStarts) {
     dialog->criteriaEdit()->setText(folder.filePath(QStringLiteral("none.json")));
+    QSignalSpy finished(dialog, &BatchDialog::finished);
     QTest::mouseClick(dialog->startButton(), Qt::LeftButton);
+    ASSERT_TRUE(finished.wait(k_patience_ms));
     EXPECT_FALSE(dialog->running());
+    EXPECT_TRUE(dialog->startButton()->isEnabled());
     EXPECT_TRUE(dialog->messageText().contains(QStringLiteral("none.json"))) << dialog->messageText().toStdString();
     EXPECT_FALSE(QFile::exists(folder.filePath(QStringLiteral("report"))));
 }

@@ -6,6 +6,7 @@
 #include "core/base/atomic_file.h"
 #include "core/classify/colour_maps.h"
 #include "tests/gui/window_fixture.h"
+#include "ui/features/colours_feature.h"
 #include "ui/features/presets_feature.h"
 #include "ui/widgets/point_fields.h"
 
@@ -326,6 +327,36 @@ TEST_F(ColoursTest, RangesSayWhatTheyHoldAndHaveColoursOfTheirOwn) {
     panel()->applyColorMap(QStringLiteral("ocean"));
     EXPECT_EQ(shown.settings.ranges[1].range.tf->points.front().color, colour_map_at("ocean", 0));
     EXPECT_EQ(shown.settings.tf, scene);
+}
+
+TEST_F(ColoursTest, FunctionsAreReadAndWrittenOffTheWindowsThread) {
+    open(test::k_casting);
+    QTemporaryDir folder;
+    auto* colours = window->findChild<ColoursFeature*>();
+    TransferFunction other = document().settings.tf;
+    other.points.front().opacity = 0.375;
+    const QString file = folder.filePath(QStringLiteral("other.json"));
+    save_transfer_function(other, file.toStdString());
+    QSignalSpy loaded(colours, &ColoursFeature::loaded);
+    colours->loadFunction(file);
+    EXPECT_EQ(loaded.count(), 0) << "nothing is read before the call returns";
+    ASSERT_TRUE(loaded.wait(test::k_patience_ms));
+    EXPECT_EQ(document().settings.tf.points.front().opacity, 0.375);
+    QSignalSpy written(colours, &ColoursFeature::written);
+    const QString first = folder.filePath(QStringLiteral("a.json")), second = folder.filePath(QStringLiteral("b.json"));
+    colours->saveFunction(first);
+    colours->saveFunction(second);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 2; }, test::k_patience_ms));
+    for (const QString& name : {first, second})
+        EXPECT_EQ(load_transfer_function(name.toStdString()).points.front().opacity, 0.375);
+    window->documents()->undo();
+    EXPECT_NE(document().settings.tf.points.front().opacity, 0.375);
+    // What was to colour the data before does not colour what was opened meanwhile.
+    colours->loadFunction(file);
+    window->documents()->open(make_document("sample:spheres@24", open_volume("sample:spheres@24")));
+    QTest::qWait(50);
+    EXPECT_EQ(loaded.count(), 1);
+    EXPECT_NE(document().settings.tf.points.front().opacity, 0.375);
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // The inspection panel and the effects panel in the whole window.
+#include <QFile>
 #include <QLabel>
+#include <QTemporaryDir>
 
+#include "core/base/atomic_file.h"
 #include "tests/gui/window_fixture.h"
 
 namespace lacuna::ui::test {
@@ -93,6 +96,42 @@ TEST_F(InspectionTest, AnEditOfWhatIsFoundSaysThatTheVerdictIsStale) {
     EXPECT_TRUE(panel()->form()->criteria().detection.material.has_value());
     inspect();
     EXPECT_FALSE(panel()->verdictText().contains(QStringLiteral("inspect again")));
+}
+
+TEST_F(InspectionTest, CriteriaFilesAreReadAndWrittenOffTheWindowsThread) {
+    open(k_casting);
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("c.json"));
+    write_file(file.toStdString(), R"({"min_voxels":17,"limits":{"count":3}})");
+    InspectionFeature* feature = window->inspection();
+    QSignalSpy read(feature, &InspectionFeature::criteriaRead);
+    feature->readCriteria(file);
+    EXPECT_EQ(read.count(), 0) << "nothing is read before the call returns";
+    ASSERT_TRUE(read.wait(k_patience_ms));
+    EXPECT_EQ(panel()->form()->criteria().detection.min_voxels, 17);
+    QSignalSpy written(feature, &InspectionFeature::written);
+    const QString copy = folder.filePath(QStringLiteral("copy.json")),
+                  other = folder.filePath(QStringLiteral("o.json"));
+    feature->writeCriteria(copy);
+    feature->writeCriteria(other);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 2; }, k_patience_ms));
+    for (const QString& name : {copy, other}) EXPECT_EQ(read_criteria(name.toStdString()).detection.min_voxels, 17);
+    feature->readCriteria(folder.filePath(QStringLiteral("none.json")));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window->messageBar()->text().contains(QStringLiteral("none.json")); },
+                                k_patience_ms));
+}
+
+TEST_F(InspectionTest, OneReportDoesNotEndAnother) {
+    open(QStringLiteral("sample:casting@32"));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window->bench()->engine() != nullptr; }, k_patience_ms));
+    QTemporaryDir folder;
+    QSignalSpy written(window->inspection(), &InspectionFeature::written);
+    for (const char* name : {"first", "second"})
+        window->inspection()->writeReport(folder.filePath(QLatin1String(name)));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return written.count() == 2; }, k_patience_ms))
+        << window->messageBar()->text().toStdString();
+    for (const char* name : {"first", "second"})
+        EXPECT_TRUE(QFile::exists(folder.filePath(QLatin1String(name) + QStringLiteral("/report.json")))) << name;
 }
 
 TEST_F(InspectionTest, AnEffectChangesThePictureAndUndoTakesItBack) {

@@ -173,7 +173,7 @@ TEST_F(LostTest, APresetOfAnotherVersionIsListedWithItsFaultAndLeftAsItIs) {
     write_file(file("elsewhere.json").toStdString(), newer);
     auto* presets = window->findChild<PresetsFeature*>();
     presets->importFile(file("elsewhere.json"));
-    EXPECT_TRUE(said().contains(QStringLiteral("version"))) << said().toStdString();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return said().contains(QStringLiteral("version")); }, k_patience_ms));
     presets->showGallery();
     bool listed = false;
     for (const PresetEntry& entry : list_presets(PresetsFeature::folder()))
@@ -188,7 +188,9 @@ TEST_F(LostTest, APresetOfAnotherVersionIsListedWithItsFaultAndLeftAsItIs) {
     // One of the first version, without a word of versions, is as good as ever.
     write_file(file("old.json").toStdString(),
                R"({"name":"of old","unit_distance_mm":1,"points":[{"value":0,"color":[1,1,1],"opacity":0.5}]})");
+    QSignalSpy imported(presets, &PresetsFeature::imported);
     presets->importFile(file("old.json"));
+    ASSERT_TRUE(imported.wait(k_patience_ms)) << said().toStdString();
     for (const PresetEntry& entry : list_presets(PresetsFeature::folder()))
         if (entry.name == "of old") presets->apply(entry);
     EXPECT_EQ(document().settings.tf.name, "of old");

@@ -11,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/render/brick_plan.h"
 
+#include "ui/core_sentences.h"
 #include "ui/file_choice.h"
 
 namespace lacuna::ui {
@@ -28,6 +29,7 @@ BatchDialog::BatchDialog(TaskList* tasks, DeviceSource device, QWidget* parent)
       model_(new BatchModel(this)),
       table_(new QTableView(this)),
       gate_(std::make_shared<Gate>()),
+      prepare_(this, tasks, AtStake::nothing),
       job_(this, tasks) {
     setWindowTitle(tr("Inspect a series of parts"));
     resize(820, 560);
@@ -101,8 +103,11 @@ void BatchDialog::build() {
 }
 
 void BatchDialog::connectButtons() {
-    connect(start_, &QPushButton::clicked, this, &BatchDialog::start);
-    connect(cancel_, &QPushButton::clicked, this, [this] { job_.cancel(); });
+    connect(start_, &QPushButton::clicked, this, &BatchDialog::prepare);
+    connect(cancel_, &QPushButton::clicked, this, [this] {
+        prepare_.cancel();
+        job_.cancel();
+    });
     connect(pause_, &QPushButton::toggled, this, &BatchDialog::setPaused);
     connect(open_, &QPushButton::clicked, this, [this] {
         QDesktopServices::openUrl(QUrl::fromLocalFile(report_->text() + QStringLiteral("/summary.html")));
@@ -131,28 +136,45 @@ void BatchDialog::showRunning(bool running) {
     if (!running) pause_->setChecked(false);
 }
 
-void BatchDialog::start() {
-    BatchOptions options;
-    std::vector<BatchPart> parts;
-    try {
-        options.criteria = read_criteria(criteria_->text().trimmed().toStdString());
-        options.folder = report_->text().trimmed().toStdString();
-        if (options.folder.empty()) throw Error(Errc::bad_usage, tr("Name a report folder.").toStdString());
-        parts = find_parts({parts_->text().trimmed().toStdString()}, options.folder);
-    } catch (const Error& error) {
-        message_->setText(QString::fromStdString(error.what()));
-        return;
-    }
-    options.reference = reference_->text().trimmed().toStdString();
-    options.jobs = jobs_->value();
-    options.resume = resume_->isChecked();
-    options.memory_bytes = default_memory_limit();
-    options.software = "Lacuna " LACUNA_VERSION;
+/// What is asked for is read and looked through off the window's thread: it may lie far away.
+void BatchDialog::prepare() {
+    Prepared asked;
+    asked.options.folder = report_->text().trimmed().toStdString();
+    asked.options.reference = reference_->text().trimmed().toStdString();
+    asked.options.jobs = jobs_->value();
+    asked.options.resume = resume_->isChecked();
+    asked.options.memory_bytes = default_memory_limit();
+    asked.options.software = "Lacuna " LACUNA_VERSION;
+    if (asked.options.folder.empty()) return message_->setText(tr("Name a report folder."));
+    const std::string parts = parts_->text().trimmed().toStdString();
+    const std::string criteria = criteria_->text().trimmed().toStdString();
+    prepare_.start(
+        tr("Looking for the parts"),
+        [asked, parts, criteria](const JobContext&) mutable {
+            asked.options.criteria = read_criteria(criteria);
+            asked.parts = find_parts({parts}, asked.options.folder);
+            return asked;
+        },
+        [this](Outcome<Prepared> outcome) {
+            if (Prepared* prepared = std::get_if<Prepared>(&outcome)) return start(std::move(*prepared));
+            showRunning(false);
+            const Error& error = std::get<Error>(outcome);
+            message_->setText(error.code() == Errc::cancelled ? tr("Cancelled.") : core_sentence(error.what()));
+            Q_EMIT finished();
+        });
+    showRunning(true);
+    pause_->setEnabled(false);
+    message_->setText(tr("Looking for the parts…"));
+}
+
+void BatchDialog::start(Prepared prepared) {
+    auto& [options, parts] = prepared;
     model_->setParts(parts);
     open_->setEnabled(false);
     job_.start(
         tr("Inspecting a series"),
-        [parts, options, device = device_, gate = gate_, model = model_](const JobContext& job) mutable {
+        [parts = std::move(parts), options = std::move(options), device = device_, gate = gate_,
+         model = model_](const JobContext& job) mutable {
             options.on_part = [gate, model, stop = job.stop](std::size_t part, PartState state, double progress) {
                 // The model outlives the work: the job ends before the dialog does.
                 QMetaObject::invokeMethod(
@@ -179,7 +201,7 @@ void BatchDialog::tell(const Outcome<BatchResult>& outcome) {
         resume_->setChecked(true);
         message_->setText(error->code() == Errc::cancelled ? tr("Cancelled after %n part(s); start again to go on.",
                                                                 nullptr, model_->finishedParts())
-                                                           : QString::fromStdString(error->what()));
+                                                           : core_sentence(error->what()));
     } else {
         const BatchResult& result = std::get<0>(outcome);
         model_->setRows(result.rows);

@@ -40,7 +40,7 @@ public:
     QPushButton* cancelButton() const { return cancel_; }
     BatchModel* model() const { return model_; }
     QString messageText() const { return message_->text(); }
-    bool running() const { return job_.running(); }
+    bool running() const { return prepare_.running() || job_.running(); }
 
 Q_SIGNALS:
     void finished();
@@ -56,7 +56,12 @@ private:
     void build();
     void connectButtons();
     QLineEdit* addPathRow(QFormLayout* form, const QString& label, const QString& tip, std::function<QString()> browse);
-    void start();
+    struct Prepared {
+        BatchOptions options;
+        std::vector<BatchPart> parts;
+    };
+    void prepare();
+    void start(Prepared prepared);
     void setPaused(bool paused);
     void showRunning(bool running);
     void tell(const Outcome<BatchResult>& outcome);
@@ -70,6 +75,7 @@ private:
     BatchModel* model_;
     QTableView* table_;
     std::shared_ptr<Gate> gate_;
+    Task<Prepared> prepare_;
     Task<BatchResult> job_;
 };
 

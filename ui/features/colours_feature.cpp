@@ -1,13 +1,23 @@
 #include "ui/features/colours_feature.h"
 
+#include <QFileInfo>
+
 #include "core/classify/colour_maps.h"
+#include "ui/file_choice.h"
 
 namespace lacuna::ui {
 
 ColoursFeature::ColoursFeature(Workbench& bench, TransferPanel* colours, RangesPanel* ranges, QTabWidget* tabs)
-    : QObject(&bench), bench_(bench), colours_(colours), ranges_(ranges), tabs_(tabs) {
+    : QObject(&bench),
+      bench_(bench),
+      colours_(colours),
+      ranges_(ranges),
+      tabs_(tabs),
+      read_(this),
+      writes_(this, bench.tasks()) {
     DocumentController* documents = bench.documents();
     connect(documents, &DocumentController::opened, this, [this, documents] {
+        read_.cancel();  // it was to colour other data
         const Document& document = documents->document();
         colours_->setVolume(document.volume, document.statistics);
         ranges_->setVolume(document.volume, document.statistics);
@@ -29,6 +39,8 @@ ColoursFeature::ColoursFeature(Workbench& bench, TransferPanel* colours, RangesP
         colours_->showPage(TransferPanel::k_values);
         colours_->plot()->setFocus();
     });
+    connect(colours_, &TransferPanel::loadRequested, this, &ColoursFeature::askForLoad);
+    connect(colours_, &TransferPanel::saveRequested, this, &ColoursFeature::askForSave);
     connect(colours_, &TransferPanel::failed, bench.messages(), &MessageBar::showError);
     connect(ranges_, &RangesPanel::failed, bench.messages(), &MessageBar::showError);
     addActions();
@@ -53,13 +65,51 @@ void ColoursFeature::addActions() {
         colours_->shapesPage()->plot()->setFocus();
     });
     menu->addSeparator();
-    bench_.add(menu, tr("&Load a transfer function…"), {}, colours_, &TransferPanel::load);
-    bench_.add(menu, tr("&Save the transfer function…"), {}, colours_, &TransferPanel::save);
+    bench_.add(menu, tr("&Load a transfer function…"), {}, this, &ColoursFeature::askForLoad);
+    bench_.add(menu, tr("&Save the transfer function…"), {}, this, &ColoursFeature::askForSave);
     QMenu* maps = menu->addMenu(tr("Colour &map"));
     for (const std::string& name : colour_map_names()) {
         const QString text = QString::fromStdString(name);
         bench_.add(maps, text, {}, this, [this, text] { colours_->applyColorMap(text); });
     }
+}
+
+void ColoursFeature::askForLoad() {
+    const QString file = file_choice::open_file(bench_.window(), tr("Load a transfer function"), FileKind::preset,
+                                                tr("Transfer functions (*.json);;All files (*)"));
+    if (!file.isEmpty()) loadFunction(file);
+}
+
+void ColoursFeature::loadFunction(const QString& file) {
+    if (!bench_.documents()->hasDocument()) return;
+    read_.start([path = file.toStdString()](const JobContext&) { return load_transfer_function(path); },
+                [this](Outcome<TransferFunction> outcome) {
+                    if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+                    colours_->load(std::get<0>(outcome));
+                    Q_EMIT loaded();
+                });
+}
+
+void ColoursFeature::askForSave() {
+    QString file = file_choice::save_file(bench_.window(), tr("Save the transfer function"), FileKind::preset,
+                                          QStringLiteral("colours.json"), tr("Transfer functions (*.json)"));
+    if (file.isEmpty()) return;
+    if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".json");
+    saveFunction(file);
+}
+
+void ColoursFeature::saveFunction(const QString& file) {
+    writes_.start(
+        tr("Saving the transfer function"),
+        [function = colours_->function(), file](const JobContext&) {
+            save_transfer_function(function, file.toStdString());
+            return file;
+        },
+        [this](Outcome<QString> outcome) {
+            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+            bench_.messages()->showNotice(tr("Written to %1.").arg(std::get<0>(outcome)));
+            Q_EMIT written(std::get<0>(outcome));
+        });
 }
 
 }  // namespace lacuna::ui

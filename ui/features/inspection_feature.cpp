@@ -15,7 +15,8 @@ InspectionFeature::InspectionFeature(Workbench& bench)
       dock_(bench.addDock(QStringLiteral("inspection"), tr("Inspection"), panel_, Qt::BottomDockWidgetArea)),
       analyse_(this, bench.tasks()),
       gather_(this),
-      report_(this, bench.tasks()) {
+      writes_(this, bench.tasks()),
+      read_(this) {
     bench.needDocument(panel_);
     QMenu* tools = bench.menu(Workbench::Menu::tools);
     offer_tool(bench.add(tools, tr("&Inspect the part"), QKeySequence(QStringLiteral("Ctrl+I")), this,
@@ -37,6 +38,7 @@ InspectionFeature::InspectionFeature(Workbench& bench)
     connect(panel_, &InspectionPanel::failed, bench.messages(), &MessageBar::showError);
     connect(documents, &DocumentController::opened, this, [this, documents] {
         cancel();
+        read_.cancel();  // they were for the part before
         panel_->setVolume(documents->document().volume, *documents->document().statistics);
     });
     connect(documents, &DocumentController::inspectionChanged, this,
@@ -126,23 +128,39 @@ void InspectionFeature::choose(std::uint32_t id) {
 void InspectionFeature::loadCriteria() {
     const QString file = file_choice::open_file(bench_.window(), tr("Load criteria"), FileKind::criteria,
                                                 tr("Criteria (*.json);;All files (*)"));
-    if (file.isEmpty()) return;
-    try {
-        panel_->setCriteria(read_criteria(file.toStdString()));
-    } catch (const Error& error) {
-        bench_.report(error);
-    }
+    if (!file.isEmpty()) readCriteria(file);
+}
+
+void InspectionFeature::readCriteria(const QString& file) {
+    if (!bench_.documents()->hasDocument()) return;
+    read_.start([path = file.toStdString()](const JobContext&) { return read_criteria(path); },
+                [this](Outcome<Criteria> outcome) {
+                    if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+                    panel_->setCriteria(std::get<0>(outcome));
+                    Q_EMIT criteriaRead();
+                });
 }
 
 void InspectionFeature::saveCriteria() {
     const QString file = file_choice::save_file(bench_.window(), tr("Save the criteria"), FileKind::criteria,
                                                 QStringLiteral("criteria.json"), tr("Criteria (*.json)"));
-    if (file.isEmpty()) return;
-    try {
-        write_file(file.toStdString(), criteria_to_json(panel_->form()->criteria()) + "\n");
-    } catch (const Error& error) {
-        bench_.report(error);
-    }
+    if (!file.isEmpty()) writeCriteria(file);
+}
+
+void InspectionFeature::writeCriteria(const QString& file) {
+    write(tr("Saving the criteria"), tr("Written to %1."),
+          [criteria = panel_->form()->criteria(), file](const JobContext&) {
+              write_file(file.toStdString(), criteria_to_json(criteria) + "\n");
+              return file;
+          });
+}
+
+void InspectionFeature::write(const QString& name, const QString& done, Task<QString>::Work work) {
+    writes_.start(name, std::move(work), [this, done](Outcome<QString> outcome) {
+        if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+        bench_.messages()->showNotice(done.arg(std::get<0>(outcome)));
+        Q_EMIT written(std::get<0>(outcome));
+    });
 }
 
 void InspectionFeature::exportReport() {
@@ -159,20 +177,15 @@ void InspectionFeature::writeReport(const QString& folder) {
     options.by_hand = panel_->judgement().by_hand;
     const Volume volume = bench_.documents()->document().volume;
     const Criteria criteria = panel_->form()->criteria();
-    report_.start(
-        tr("Writing the report"),
-        [volume, criteria, options, folder, engine = bench_.engine()](const JobContext& job) mutable {
-            if (volume.dicom) options.source = find_dicom_source(options.input, {}, job);
-            const std::filesystem::path path = folder.toStdString();
-            check_report_folder(path);
-            const std::vector<ZoneMask> zones = lay_zones(criteria, volume.geometry(), job);
-            write_report(inspect_part(volume, criteria, zones, *engine, options, job), volume, path, job);
-            return folder;
-        },
-        [this](Outcome<QString> outcome) {
-            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
-            bench_.messages()->showNotice(tr("The report stands in %1.").arg(std::get<0>(outcome)));
-        });
+    write(tr("Writing the report"), tr("The report stands in %1."),
+          [volume, criteria, options, folder, engine = bench_.engine()](const JobContext& job) mutable {
+              if (volume.dicom) options.source = find_dicom_source(options.input, {}, job);
+              const std::filesystem::path path = folder.toStdString();
+              check_report_folder(path);
+              const std::vector<ZoneMask> zones = lay_zones(criteria, volume.geometry(), job);
+              write_report(inspect_part(volume, criteria, zones, *engine, options, job), volume, path, job);
+              return folder;
+          });
 }
 
 }  // namespace lacuna::ui

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ui/panels/inspection_panel.h"
-#include "ui/task.h"
+#include "ui/tasks.h"
 #include "ui/workbench.h"
 
 namespace lacuna::ui {
@@ -23,10 +23,15 @@ public:
     void cancel();
     /// Writes the report of the open part, with the panel's criteria and decisions, to a new folder.
     void writeReport(const QString& folder);
+    /// Reads criteria for the panel, or writes the panel's; off the window's thread.
+    void readCriteria(const QString& file);
+    void writeCriteria(const QString& file);
 
 Q_SIGNALS:
     void finished();
-    void gathered();  ///< the defects' voxels are marked
+    void criteriaRead();
+    void written(const QString& path);  ///< a report's folder or a criteria file
+    void gathered();                    ///< the defects' voxels are marked
 
 private:
     void colorDefects();
@@ -34,6 +39,8 @@ private:
     void loadCriteria();
     void saveCriteria();
     void exportReport();
+    /// @param done  what is said when it stands, with %1 for where
+    void write(const QString& name, const QString& done, Task<QString>::Work work);
 
     using Analysis = std::shared_ptr<const PartAnalysis>;
     using Highlights = std::shared_ptr<const std::vector<Highlight>>;
@@ -43,7 +50,8 @@ private:
     QDockWidget* dock_;
     Task<Analysis> analyse_;
     LatestJob<Highlights> gather_;
-    Task<QString> report_;
+    Tasks<QString> writes_;
+    LatestJob<Criteria> read_;
 };
 
 }  // namespace lacuna::ui

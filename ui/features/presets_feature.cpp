@@ -15,7 +15,8 @@ PresetsFeature::PresetsFeature(Workbench& bench)
       bench_(bench),
       gallery_(new PresetGallery(bench.window())),
       dock_(bench.addDock(QStringLiteral("presets"), tr("Presets"), gallery_, Qt::RightDockWidgetArea)),
-      thumbnails_(new PresetThumbnails(bench.scheduler(), this)) {
+      thumbnails_(new PresetThumbnails(bench.scheduler(), this)),
+      files_(this, bench.tasks()) {
     bench.needDocument(gallery_);
     if (auto* scene = bench.window()->findChild<QDockWidget*>(QStringLiteral("scene"))) {
         bench.window()->tabifyDockWidget(scene, dock_);
@@ -69,10 +70,9 @@ void PresetsFeature::connectGallery() {
         const QString name = QString::fromStdString(entry.name) + QStringLiteral(".json");
         QString file = file_choice::save_file(bench_.window(), tr("Export the preset"), FileKind::preset, name,
                                               tr("Presets (*.json)"));
-        if (file.isEmpty() || !bench_.documents()->hasDocument()) return;
+        if (file.isEmpty()) return;
         if (!file.endsWith(QStringLiteral(".json"))) file += QStringLiteral(".json");
-        const Document& document = bench_.documents()->document();
-        attempt([&] { save_preset(preset_for(entry, document.volume, *document.statistics), file.toStdString()); });
+        exportFile(entry, file);
     });
     connect(thumbnails_, &PresetThumbnails::drawn, gallery_, &PresetGallery::setPicture);
 }
@@ -187,14 +187,37 @@ void PresetsFeature::remove(const PresetEntry& entry) {
 }
 
 void PresetsFeature::importFile(const QString& file) {
-    const bool done = attempt([&] {
-        PresetFile preset = load_preset(file.toStdString());
-        if (preset.tf.name.empty()) preset.tf.name = std::filesystem::path(file.toStdString()).stem().string();
-        store_preset(folder(), preset, false);
-        list();
-        gallery_->choose(QString::fromStdString(preset.tf.name));
-    });
-    if (done) showGallery();
+    files_.start(
+        tr("Importing a preset"),
+        [path = std::filesystem::path(file.toStdString()), folder = folder()](const JobContext&) {
+            PresetFile preset = load_preset(path);
+            if (preset.tf.name.empty()) preset.tf.name = path.stem().string();
+            store_preset(folder, preset, false);
+            return QString::fromStdString(preset.tf.name);
+        },
+        [this](Outcome<QString> outcome) {
+            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+            list();
+            gallery_->choose(std::get<0>(outcome));
+            showGallery();
+            Q_EMIT imported(std::get<0>(outcome));
+        });
+}
+
+void PresetsFeature::exportFile(const PresetEntry& entry, const QString& file) {
+    if (!bench_.documents()->hasDocument()) return;
+    const Document& document = bench_.documents()->document();
+    files_.start(
+        tr("Exporting the preset"),
+        [entry, file, volume = document.volume, statistics = document.statistics](const JobContext&) {
+            save_preset(preset_for(entry, volume, *statistics), file.toStdString());
+            return file;
+        },
+        [this](Outcome<QString> outcome) {
+            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+            bench_.messages()->showNotice(tr("Written to %1.").arg(std::get<0>(outcome)));
+            Q_EMIT exported(std::get<0>(outcome));
+        });
 }
 
 }  // namespace lacuna::ui

@@ -5,6 +5,7 @@
 
 #include "ui/panels/preset_gallery.h"
 #include "ui/preset_thumbnails.h"
+#include "ui/tasks.h"
 #include "ui/workbench.h"
 
 namespace lacuna::ui {
@@ -28,7 +29,13 @@ public Q_SLOTS:
     void saveAs(const QString& name);
     void rename(const lacuna::PresetEntry& entry, const QString& name);
     void remove(const lacuna::PresetEntry& entry);
+    /// Takes a file among one's own presets.
     void importFile(const QString& file);
+    void exportFile(const lacuna::PresetEntry& entry, const QString& file);
+
+Q_SIGNALS:
+    void imported(const QString& name);
+    void exported(const QString& file);
 
 private:
     void connectGallery();
@@ -45,6 +52,7 @@ private:
     PresetGallery* gallery_;
     QDockWidget* dock_;
     PresetThumbnails* thumbnails_;
+    Tasks<QString> files_;
 };
 
 }  // namespace lacuna::ui

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "ui/panels/regions_panel.h"
-#include "ui/task.h"
+#include "ui/tasks.h"
 #include "ui/workbench.h"
 
 namespace lacuna::ui {
@@ -38,7 +38,7 @@ private:
     QDockWidget* dock_;
     Task<std::shared_ptr<const RegionTable>> find_;
     LatestJob<std::shared_ptr<const Highlight>> gather_;
-    Task<QString> write_;
+    Tasks<QString> write_;
 };
 
 }  // namespace lacuna::ui

@@ -10,7 +10,6 @@
 #include "core/classify/colour_maps.h"
 #include "core/session/preset_settings.h"
 #include "core/session/shown_part.h"
-#include "ui/file_choice.h"
 #include "ui/tab_chain.h"
 
 namespace lacuna::ui {
@@ -165,8 +164,8 @@ void TransferPanel::connectParts() {
     connect(histograms_, &HistogramController::jointCounted, gradients_, &GradientPage::setJoint);
     connect(histograms_, &HistogramController::jointCounted, shapes_, &ShapesPage::setJoint);
     connect(histograms_, &HistogramController::failed, this, &TransferPanel::failed);
-    connect(load_, &QPushButton::clicked, this, &TransferPanel::load);
-    connect(save_, &QPushButton::clicked, this, &TransferPanel::save);
+    connect(load_, &QPushButton::clicked, this, &TransferPanel::loadRequested);
+    connect(save_, &QPushButton::clicked, this, &TransferPanel::saveRequested);
 }
 
 void TransferPanel::setVolume(const Volume& volume, std::shared_ptr<const VolumeStatistics> statistics) {
@@ -256,27 +255,6 @@ void TransferPanel::applyColorMap(const QString& name) {
     edit(tr("Colour map %1").arg(name), with_colour_map(function(), name.toStdString(), first, last), true);
 }
 
-void TransferPanel::load() {
-    const QString file = file_choice::open_file(this, tr("Load a transfer function"), FileKind::preset,
-                                                tr("Transfer functions (*.json);;All files (*)"));
-    if (file.isEmpty()) return;
-    try {
-        edit(tr("Load a transfer function"), load_transfer_function(file.toStdString()), true);
-    } catch (const Error& error) {
-        Q_EMIT failed(QString::fromStdString(error.what()));
-    }
-}
-
-void TransferPanel::save() {
-    QString file = file_choice::save_file(this, tr("Save the transfer function"), FileKind::preset,
-                                          QStringLiteral("colours.json"), tr("Transfer functions (*.json)"));
-    if (file.isEmpty()) return;
-    if (!file.contains(QLatin1Char('.'))) file += QStringLiteral(".json");
-    try {
-        save_transfer_function(function(), file.toStdString());
-    } catch (const Error& error) {
-        Q_EMIT failed(QString::fromStdString(error.what()));
-    }
-}
+void TransferPanel::load(const TransferFunction& function) { edit(tr("Load a transfer function"), function, true); }
 
 }  // namespace lacuna::ui

@@ -31,6 +31,8 @@ public:
     /// Edits range `index`'s own function, which it gets if it has none; -1: the scene's.
     void setTarget(int index);
     void showPage(Page page);
+    /// The one being edited.
+    const TransferFunction& function() const;
     TransferPlot* plot() const { return plot_; }
     GradientPage* gradientPage() const { return gradients_; }
     ShapesPage* shapesPage() const { return shapes_; }
@@ -41,10 +43,12 @@ public:
 
 public Q_SLOTS:
     void applyColorMap(const QString& name);
-    void load();
-    void save();
+    /// Takes a function for the one being edited, as a step of undo of its own.
+    void load(const lacuna::TransferFunction& function);
 
 Q_SIGNALS:
+    void loadRequested();
+    void saveRequested();
     void edited(const QString& name, const lacuna::ViewSettings& next);
     void gestureEnded();
     void failed(const QString& sentence);
@@ -55,7 +59,6 @@ private:
     void connectParts();
     void fillColorMaps();
     void fillTargets();
-    const TransferFunction& function() const;
     /// The settings with this function where the one being edited stands.
     ViewSettings with(const TransferFunction& function) const;
     /// @param whole  a step of undo of its own
