@@ -1,5 +1,6 @@
 #include "ui/frame_scheduler.h"
 
+#include <QLocale>
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +12,7 @@ QString describe(const Scene& scene, const Plan& plan) {
     return FrameScheduler::tr("%1 · %2 · step %3")
         .arg(QString::fromUtf8(name_of(scene.mode).data(), qsizetype(name_of(scene.mode).size())),
              QString::fromUtf8(name_of(plan.structure).data(), qsizetype(name_of(plan.structure).size())))
-        .arg(plan.step, 0, 'g', 3);
+        .arg(QLocale().toString(plan.step, 'g', 3));
 }
 
 DrawnFrame to_drawn(Frame frame) {
@@ -87,6 +88,7 @@ void FrameScheduler::cancel() {
 }
 
 void FrameScheduler::changed() {
+    ++asked_;
     if (!engine_ || !scene_ || size_.isEmpty()) return;
     still_.start();
     if (coarse_running_ && since_start_.elapsed() < k_give_up_ms) {
@@ -114,7 +116,8 @@ void FrameScheduler::start(bool coarse) {
     coarse_running_ = coarse;
     changed_since_start_ = false;
     since_start_.start();
-    const Task task{engine_, std::make_shared<const Scene>(std::move(scene)), std::move(plan), coarse, complete};
+    const Task task{engine_, std::make_shared<const Scene>(std::move(scene)), std::move(plan), coarse, complete,
+                    asked_};
     job_.start(
         [this, task](const JobContext& job) {
             const auto on_the_way = [&](Frame frame) {
@@ -169,6 +172,7 @@ void FrameScheduler::show(const Task& task, const DrawnFrame& drawn, bool coarse
     facts.scene = task.scene;
     facts.drawn = task.plan;
     facts.frame = drawn.frame;
+    shown_ = task.asked;
     Q_EMIT frameReady(drawn.image, facts);
 }
 

@@ -54,6 +54,8 @@ public:
     /// Stops the frame being drawn; the next change starts again.
     void cancel();
     bool busy() const { return job_.running() || still_.isActive(); }
+    /// The last picture shown is of the scene and size asked for last, be it a coarse one.
+    bool current() const { return shown_ == asked_; }
 
 Q_SIGNALS:
     void frameReady(const QImage& image, const lacuna::ui::FrameFacts& facts);
@@ -69,6 +71,7 @@ private:
         std::shared_ptr<const Scene> scene;
         Plan plan;
         bool coarse, complete;
+        int asked;
     };
     void finish(const Task& task, Outcome<DrawnFrame> outcome);
     void show(const Task& task, const DrawnFrame& drawn, bool coarse);
@@ -82,6 +85,7 @@ private:
     QElapsedTimer since_start_;
     bool coarse_running_ = false, changed_since_start_ = false;
     int divisor_ = 3;
+    int asked_ = 0, shown_ = 0;  ///< scenes and sizes so far; of which of them the last picture is
     LatestJob<DrawnFrame> job_;
 };
 

@@ -143,5 +143,16 @@ TEST_F(AccuracyTest, PointsAppearInTheChartAndAClickUsesOne) {
     settle();
 }
 
+TEST_F(AccuracyTest, ThePictureBeforeIsNotTakenForTheOneAskedFor) {
+    ASSERT_TRUE(badge().contains(QStringLiteral("0.61/255"))) << badge().toStdString();
+    window->bench()->edit(QStringLiteral("Test"), [](ViewSettings& s) { s.mode = ViewMode::iso; });
+    window->scheduler()->cancel();  // as Cancel in the status line does
+    EXPECT_FALSE(window->scheduler()->current());
+    EXPECT_TRUE(badge().contains(QStringLiteral("not drawn"))) << badge().toStdString();
+    change([](ViewSettings& s) { s.iso += 1; });
+    EXPECT_TRUE(window->scheduler()->current());
+    EXPECT_TRUE(badge().contains(QStringLiteral("exact"))) << badge().toStdString();
+}
+
 }  // namespace
 }  // namespace lacuna::ui::test

@@ -12,6 +12,7 @@ namespace lacuna::ui {
 namespace {
 
 constexpr int k_chart_height = 270;
+constexpr int k_late_ms = 600;         ///< a hand that moves sees pictures sooner
 constexpr std::size_t k_reasons = 14;  // of a plan that fit a tooltip
 
 QImage to_image(const DifferenceMap& map) {
@@ -64,6 +65,22 @@ AccuracyFeature::AccuracyFeature(Workbench& bench)
         showPicture();
         showPlan();
         showPoints();
+    });
+    late_.setSingleShot(true);
+    late_.setInterval(k_late_ms);
+    connect(&late_, &QTimer::timeout, this, &AccuracyFeature::showStale);
+    FrameScheduler* scheduler = bench.scheduler();
+    connect(scheduler, &FrameScheduler::busyChanged, this, [this](bool busy) {
+        if (!busy) {
+            late_.stop();
+            showStale();
+        } else if (!bench_.scheduler()->current() && !late_.isActive()) {
+            late_.start();
+        }
+    });
+    connect(scheduler, &FrameScheduler::frameReady, this, [this] {
+        badge_->setStale(false, false);
+        bench_.scheduler()->current() ? late_.stop() : late_.start();
     });
     connect(monitor_, &AccuracyMonitor::truthChanged, this, &AccuracyFeature::showPicture);
     connect(monitor_, &AccuracyMonitor::planningChanged, this, &AccuracyFeature::showPlan);
@@ -148,6 +165,11 @@ void AccuracyFeature::showBound() {
         badge_->showBound(monitor_->bound(), monitor_->coarse());
     }
     badge_->setVisible(known && badge_wanted_);
+}
+
+void AccuracyFeature::showStale() {
+    const FrameScheduler* scheduler = bench_.scheduler();
+    badge_->setStale(!scheduler->current(), scheduler->busy());
 }
 
 void AccuracyFeature::showPicture() {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QTimer>
+
 #include "ui/features/accuracy_monitor.h"
 #include "ui/panels/budget_panel.h"
 #include "ui/panels/speed_panel.h"
@@ -33,6 +35,7 @@ public Q_SLOTS:
 private:
     void buildActions();
     void showBound();
+    void showStale();
     void showPicture();
     void showPlan();
     void showPoints();
@@ -45,6 +48,7 @@ private:
     SpeedPanel* panel_;
     QDockWidget* dock_;
     Showing showing_ = Showing::picture;
+    QTimer late_;  ///< a picture that takes its time: what is shown is not what was asked for
     bool badge_wanted_ = true, wants_room_ = true;
 };
 

@@ -94,6 +94,12 @@ void ErrorBadge::showHeadline(const QString& text) {
     refresh();
 }
 
+void ErrorBadge::setStale(bool stale, bool drawing) {
+    stale_ = stale;
+    drawing_ = drawing;
+    refresh();
+}
+
 void ErrorBadge::setPending(bool pending) {
     pending_ = pending;
     refresh();
@@ -102,7 +108,11 @@ void ErrorBadge::setPending(bool pending) {
 void ErrorBadge::refresh() {
     QString words = coarse_ ? tr("coarse while moving") : bound_text(bound_);
     color_ = k_unknown;
-    if (!coarse_) {
+    if (stale_) {
+        words = drawing_ ? tr("still the picture before; drawing…")
+                         : tr("still the picture before; this one was not drawn");
+        color_ = k_off;
+    } else if (!coarse_) {
         if (bound_.known == ErrorKnown::exact) color_ = k_exact;
         if (bound_.known == ErrorKnown::bounded || bound_.known == ErrorKnown::measured)
             color_ = bound_.levels <= 1 ? k_within : k_off;
@@ -146,7 +156,10 @@ void ErrorBadge::paintEvent(QPaintEvent*) {
     painter.drawEllipse(QPointF(k_pad + 0.5 * k_dot, contentsRect().top() + (lines - 0.5) * line), 0.5 * k_dot,
                         0.5 * k_dot);
     painter.setPen(k_ink);
-    painter.drawText(contentsRect(), Qt::AlignLeft | Qt::AlignVCenter, text());
+    QStringList rows;  // in a small view only their beginnings
+    for (const QString& row : text().split(QLatin1Char('\n')))
+        rows << fontMetrics().elidedText(row, Qt::ElideRight, contentsRect().width());
+    painter.drawText(contentsRect(), Qt::AlignLeft | Qt::AlignVCenter, rows.join(QLatin1Char('\n')));
 }
 
 }  // namespace lacuna::ui

@@ -23,6 +23,9 @@ public:
     void showBound(const ErrorBound& bound, bool coarse);
     /// A line above, for what the view shows instead of its own picture; empty: none.
     void showHeadline(const QString& text);
+    /// The view's picture is not what was asked for last.
+    /// @param drawing  it is on its way; else it does not come
+    void setStale(bool stale, bool drawing);
     /// For what is being found out; takes the place of "unknown".
     void setPending(bool pending);
     QColor color() const { return color_; }
@@ -36,7 +39,7 @@ private:
     void refresh();
 
     ErrorBound bound_;
-    bool coarse_ = false, pending_ = false;
+    bool coarse_ = false, pending_ = false, stale_ = false, drawing_ = false;
     QString headline_;
     QColor color_;
 };
