@@ -7,6 +7,7 @@
 #include "core/render/brick_plan.h"
 #include "ui/hidden_names.h"
 #include "ui/preferences.h"
+#include "ui/core_sentences.h"
 
 namespace lacuna::ui {
 
@@ -20,7 +21,9 @@ Volume open_in_memory(const std::string& name, const OpenOptions& options, const
     } catch (const Error& error) {
         if (error.code() != Errc::out_of_memory) throw;
         throw Error(Errc::out_of_memory,
-                    std::string(error.what()) + " lacuna render draws large volumes in .raw and .mhd from disk.");
+                    (core_sentence(error.what()) + QLatin1Char(' ') +
+                     LoadController::tr("lacuna render draws large volumes in .raw and .mhd from disk."))
+                        .toStdString());
     }
 }
 

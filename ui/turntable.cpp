@@ -1,5 +1,6 @@
 #include "ui/turntable.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QProcess>
 #include <QStandardPaths>
@@ -14,6 +15,8 @@
 namespace lacuna::ui {
 
 namespace {
+
+QString words_of(const char* text) { return QCoreApplication::translate("Turntable", text); }
 
 /// STEM-000.png and so on, with as many digits as the last one needs.
 QString frame_name(const QString& stem, int number, int frames) {
@@ -70,9 +73,9 @@ void encode_film(const Turntable& table, const QString& stem, const QString& tar
         job.check();
     }
     if (ffmpeg.exitStatus() != QProcess::NormalExit || ffmpeg.exitCode() != 0)
-        throw Error(Errc::unsupported,
-                    "ffmpeg could not make the film: " +
-                        QString::fromLocal8Bit(ffmpeg.readAllStandardError()).trimmed().toStdString());
+        throw Error(Errc::unsupported, words_of(QT_TRANSLATE_NOOP("Turntable", "ffmpeg could not make the film: %1"))
+                                           .arg(QString::fromLocal8Bit(ffmpeg.readAllStandardError()).trimmed())
+                                           .toStdString());
 }
 
 }  // namespace
@@ -84,10 +87,15 @@ void write_turntable(const Turntable& table, Engine& engine, const JobContext& j
     if (info.suffix().compare(QStringLiteral("png"), Qt::CaseInsensitive) == 0)
         return draw_frames(table, info.path() + QLatin1Char('/') + info.completeBaseName(), engine, job);
     if (film_encoder().isEmpty())
-        throw Error(Errc::unsupported, "A film needs the program ffmpeg, which is not there; save pictures (.png).");
+        throw Error(Errc::unsupported, words_of(QT_TRANSLATE_NOOP("Turntable",
+                                                                  "A film needs the program ffmpeg, which is not "
+                                                                  "there; save pictures (.png)."))
+                                           .toStdString());
     QTemporaryDir folder;
     if (!folder.isValid())
-        throw Error(Errc::io, "There is no place for the film's pictures: " + folder.errorString().toStdString() + ".");
+        throw Error(Errc::io, words_of(QT_TRANSLATE_NOOP("Turntable", "There is no place for the film's pictures: %1."))
+                                  .arg(folder.errorString())
+                                  .toStdString());
     const QString stem = folder.filePath(QStringLiteral("frame"));
     draw_frames(table, stem, engine, job.part(0, 0.9));
     AtomicFile target(table.file.toStdString());

@@ -135,6 +135,474 @@
         <source>The server sent nothing for this; it may have been removed there.</source>
         <translation>Der Server hat hierzu nichts geschickt; vielleicht wurde es dort entfernt.</translation>
     </message>
+    <message>
+        <source>Cannot read %1: %9.</source>
+        <translation>%1 kann nicht gelesen werden: %9.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it has %2 bytes, more than the %3 expected at most.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei hat %2 Byte, mehr als die erwarteten höchstens %3.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is damaged or cut short (%2).</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei ist beschädigt oder abgeschnitten (%2).</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is cut short; copy or export the file again.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei ist abgeschnitten; bitte neu kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its compressed voxels are damaged or cut short after %2 bytes.</source>
+        <translation>%1 kann nicht gelesen werden: Die gepackten Voxel sind nach %2 Byte beschädigt oder abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its voxels need %2 bytes, but unpack to %3; the file is cut or its sizes are wrong.</source>
+        <translation>%1 kann nicht gelesen werden: Die Voxel brauchen %2 Byte, entpackt sind es %3; die Datei ist abgeschnitten oder ihre Maße sind falsch.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: not enough memory.</source>
+        <translation>%1 kann nicht gelesen werden: Der Speicher reicht nicht.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it holds %2 volumes (time points or channels); extract one first.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei enthält %2 Volumen (Zeitpunkte oder Kanäle); bitte zuerst eines herauslösen.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it has %2 values a voxel (colours or vectors); only scalar volumes can be opened.</source>
+        <translation>%1 kann nicht gelesen werden: Es gibt %2 Werte je Voxel (Farben oder Vektoren); nur skalare Volumen können geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it has %2 values a voxel; only scalar volumes can be opened.</source>
+        <translation>%1 kann nicht gelesen werden: Es gibt %2 Werte je Voxel; nur skalare Volumen können geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is NIfTI-2; convert it to NIfTI-1.</source>
+        <translation>%1 kann nicht gelesen werden: Die Datei ist NIfTI-2; bitte in NIfTI-1 umwandeln.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: its axes are not at right angles or not of unit length (deviation %2); resample it to a rectangular grid first.</source>
+        <translation>%1 kann nicht gelesen werden: Die Achsen stehen nicht rechtwinklig oder haben nicht die Länge eins (Abweichung %2); bitte zuerst auf ein rechtwinkliges Gitter umrechnen.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 bytes, but %3 voxels of %4 need %5 bytes; check the size, the type and the offset.</source>
+        <translation>%1 hat %2 Byte, aber %3 Voxel von %4 brauchen %5 Byte; bitte Größe, Typ und Versatz prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 names the data file %2, which is not there; put it beside the header.</source>
+        <translation>%1 nennt die Datendatei %2, die es nicht gibt; bitte neben den Kopf legen.</translation>
+    </message>
+    <message>
+        <source>Cannot read the pixels of %1: JPEG-LS of %2 bits is not known; export it uncompressed.</source>
+        <translation>Die Bildpunkte von %1 können nicht gelesen werden: JPEG-LS mit %2 Bit ist nicht bekannt; bitte ungepackt exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is compressed in a way that cannot be read (transfer syntax %2, %3); export it uncompressed.</source>
+        <translation>%1 ist auf eine Weise gepackt, die nicht gelesen werden kann (Transfersyntax %2, %3); bitte ungepackt exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 is no DICOM file; name a DICOM image or a folder of them.</source>
+        <translation>%1 ist keine DICOM-Datei; bitte ein DICOM-Bild oder einen Ordner damit nennen.</translation>
+    </message>
+    <message>
+        <source>%1 is DICOM but holds no image; name one that does.</source>
+        <translation>%1 ist DICOM, enthält aber kein Bild; bitte eine Datei mit Bild nennen.</translation>
+    </message>
+    <message>
+        <source>There is no file or folder %1; check the name.</source>
+        <translation>Es gibt keine Datei und keinen Ordner %1; bitte den Namen prüfen.</translation>
+    </message>
+    <message>
+        <source>Cannot list the folder %1: permission denied; ask for the right to read it.</source>
+        <translation>Der Ordner %1 kann nicht durchgesehen werden: Der Zugriff ist verweigert; bitte das Leserecht erbitten.</translation>
+    </message>
+    <message>
+        <source>Some slices name no position (ImagePositionPatient), others do; remove %1 or the like from the folder.</source>
+        <translation>Einige Schichten nennen keine Lage (ImagePositionPatient), andere schon; bitte %1 oder Ähnliches aus dem Ordner nehmen.</translation>
+    </message>
+    <message>
+        <source>The slices name no position (ImagePositionPatient), so their order cannot be known; open one of the files, or export the series with positions.</source>
+        <translation>Die Schichten nennen keine Lage (ImagePositionPatient), ihre Reihenfolge ist daher nicht zu erkennen; bitte eine der Dateien öffnen oder die Serie mit Lagen exportieren.</translation>
+    </message>
+    <message>
+        <source>The slices lie too far apart within their plane (%1) to belong to one volume; check ImagePositionPatient.</source>
+        <translation>Die Schichten liegen in ihrer Ebene zu weit auseinander (%1), um zu einem Volumen zu gehören; bitte ImagePositionPatient prüfen.</translation>
+    </message>
+    <message>
+        <source>The slices leave a gap of %1 between %2 and %3, where their usual step is %4; add the missing slices or open the parts one by one.</source>
+        <translation>Die Schichten lassen zwischen %2 und %3 eine Lücke von %1, ihr üblicher Abstand ist %4; bitte die fehlenden Schichten ergänzen oder die Teile einzeln öffnen.</translation>
+    </message>
+    <message>
+        <source>The volume holds no voxels.</source>
+        <translation>Das Volumen enthält keine Voxel.</translation>
+    </message>
+    <message>
+        <source>None of the DICOM images can be exported: they cannot be read, or say that patient data are drawn into their pixels.</source>
+        <translation>Keines der DICOM-Bilder kann exportiert werden: Sie können nicht gelesen werden, oder in ihre Bildpunkte sind Patientendaten gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The voxel spacing is not stated; 1 x 1 x 1 mm is assumed.</source>
+        <translation>Der Voxelabstand ist nicht angegeben; angenommen sind 1 x 1 x 1 mm.</translation>
+    </message>
+    <message>
+        <source>%1 voxels are not a finite number (NaN or infinite).</source>
+        <translation>%1 Voxel sind keine endliche Zahl (NaN oder unendlich).</translation>
+    </message>
+    <message>
+        <source>%1 images beside the series (localizers, other sizes or orientations) are set aside: %2.</source>
+        <translation>%1 Bilder neben der Serie (Übersichten, andere Größen oder Lagen) sind beiseitegelegt: %2.</translation>
+    </message>
+    <message>
+        <source>%1 DICOM files with a damaged header are left out: %2.</source>
+        <translation>%1 DICOM-Dateien mit beschädigtem Kopf sind ausgelassen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 files or folders may not be opened (permission denied) and are left out: %2.</source>
+        <translation>%1 Dateien oder Ordner dürfen nicht geöffnet werden (Zugriff verweigert) und sind ausgelassen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 voxels are padding, not measured; they hold the smallest measured value %2.</source>
+        <translation>%1 Voxel sind Füllung, nicht gemessen; sie tragen den kleinsten gemessenen Wert %2.</translation>
+    </message>
+    <message>
+        <source>The slices name no pixel spacing; 1 mm is assumed.</source>
+        <translation>Die Schichten nennen keinen Pixelabstand; angenommen ist 1 mm.</translation>
+    </message>
+    <message>
+        <source>The slices name no orientation; axial is assumed.</source>
+        <translation>Die Schichten nennen keine Ausrichtung; angenommen ist axial.</translation>
+    </message>
+    <message>
+        <source>Nothing names the distance between slices; 1 mm is assumed.</source>
+        <translation>Der Abstand der Schichten ist nirgends genannt; angenommen ist 1 mm.</translation>
+    </message>
+    <message>
+        <source>The slices drift within their plane by less than a tenth of a pixel; that is ignored.</source>
+        <translation>Die Schichten wandern in ihrer Ebene um weniger als ein Zehntel Pixel; das bleibt unbeachtet.</translation>
+    </message>
+    <message>
+        <source>The slices were taken with the gantry tilted by %1 degrees; they are resampled to an upright grid.</source>
+        <translation>Die Schichten wurden mit um %1 Grad gekippter Gantry aufgenommen; sie sind auf ein aufrechtes Gitter umgerechnet.</translation>
+    </message>
+    <message>
+        <source>The slices are not quite evenly spaced (%1 to %2); an even step of %3 is used.</source>
+        <translation>Die Schichten haben nicht ganz gleiche Abstände (%1 bis %2); gerechnet wird mit dem gleichmäßigen Abstand %3.</translation>
+    </message>
+    <message>
+        <source>The slices are unevenly spaced (%1 to %2); they are resampled to an even step of %3.</source>
+        <translation>Die Schichten haben ungleiche Abstände (%1 bis %2); sie sind auf den gleichmäßigen Abstand %3 umgerechnet.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices missing, filled by interpolation: %3.</source>
+        <translation>%1 von %2 Schichten fehlen und sind durch Interpolation ergänzt: %3.</translation>
+    </message>
+    <message>
+        <source>The image names no position; its corner is taken as the origin.</source>
+        <translation>Das Bild nennt keine Lage; seine Ecke gilt als Ursprung.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %9; nothing was written; %8.</source>
+        <translation>%1 kann nicht geschrieben werden: %9; es wurde nichts geschrieben; %8.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: it is being written already; wait for that, or name another folder.</source>
+        <translation>%1 kann nicht geschrieben werden: Der Ordner wird gerade schon geschrieben; bitte das abwarten oder einen anderen nennen.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: the folder is not empty and holds no %2; name a new one, so that nothing is mixed.</source>
+        <translation>%1 kann nicht geschrieben werden: Der Ordner ist nicht leer und enthält kein %2; bitte einen neuen nennen, damit sich nichts vermischt.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: it needs %2 beside it, and there is such a file already; choose another name.</source>
+        <translation>%1 kann nicht geschrieben werden: Daneben muss %2 stehen, und eine solche Datei gibt es schon; bitte einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: its ending names no format; known are %2.</source>
+        <translation>%1 kann nicht geschrieben werden: Die Endung nennt kein Format; bekannt sind %2.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: its ending names no mesh format; known are .stl, .ply, .obj and .vtp.</source>
+        <translation>%1 kann nicht geschrieben werden: Die Endung nennt kein Netzformat; bekannt sind .stl, .ply, .obj und .vtp.</translation>
+    </message>
+    <message>
+        <source>No voxel reaches the isovalue, so there is no surface; choose a lower one.</source>
+        <translation>Kein Voxel erreicht den Isowert, also gibt es keine Fläche; bitte einen niedrigeren wählen.</translation>
+    </message>
+    <message>
+        <source>Cannot write the anonymised images to %1: the disk is full or the file size is limited; nothing was written.</source>
+        <translation>Die anonymisierten Bilder können nicht nach %1 geschrieben werden: Der Datenträger ist voll oder die Dateigröße begrenzt; es wurde nichts geschrieben.</translation>
+    </message>
+    <message>
+        <source>The volume falls into more than %1 regions of at least %2 voxels; ask for larger regions (--min-voxels) or a wider range.</source>
+        <translation>Das Volumen zerfällt in mehr als %1 Regionen von mindestens %2 Voxeln; bitte größere Regionen oder einen weiteren Bereich verlangen.</translation>
+    </message>
+    <message>
+        <source>The volume falls into too many pieces to be counted; smooth or crop it first.</source>
+        <translation>Das Volumen zerfällt in zu viele Stücke, um sie zu zählen; bitte zuerst glätten oder zuschneiden.</translation>
+    </message>
+    <message>
+        <source>The threshold&apos;s lower value must not exceed its upper one.</source>
+        <translation>Der untere Wert der Schwelle darf nicht über dem oberen liegen.</translation>
+    </message>
+    <message>
+        <source>The part falls into more than 4194304 defects; raise min_voxels or smooth the volume.</source>
+        <translation>Das Teil zerfällt in mehr als 4194304 Fehlstellen; bitte die kleinste Größe heraufsetzen oder das Volumen glätten.</translation>
+    </message>
+    <message>
+        <source>There is no folder or list %1; check the name.</source>
+        <translation>Es gibt keinen Ordner und keine Liste %1; bitte den Namen prüfen.</translation>
+    </message>
+    <message>
+        <source>The series has no part: name a folder of sub-folders or volume files, or a list of inputs.</source>
+        <translation>Die Serie hat kein Teil: bitte einen Ordner mit Unterordnern oder Volumendateien nennen, oder eine Liste von Eingaben.</translation>
+    </message>
+    <message>
+        <source>The folder %1 holds another series (other parts, criteria, options or version); name a new folder.</source>
+        <translation>Der Ordner %1 enthält eine andere Serie (andere Teile, Kriterien, Einstellungen oder Version); bitte einen neuen Ordner nennen.</translation>
+    </message>
+    <message>
+        <source>The folder %1 holds this series already; give --resume to go on with it, or name a new folder.</source>
+        <translation>Der Ordner %1 enthält diese Serie schon; bitte mit ihr fortfahren lassen oder einen neuen Ordner nennen.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: it is no empty folder; name a new one.</source>
+        <translation>%1 kann nicht geschrieben werden: Es ist kein leerer Ordner; bitte einen neuen nennen.</translation>
+    </message>
+    <message>
+        <source>The reference component cannot be inspected: %1</source>
+        <translation>Das Referenzteil kann nicht geprüft werden: %1</translation>
+    </message>
+    <message>
+        <source>Shear-warp is orthographic only; take the perspective away, or use mode iso, ea, mip, lmip, minip or mean.</source>
+        <translation>Shear-Warp gibt es nur orthografisch; bitte die Perspektive abschalten oder einen anderen Modus nehmen.</translation>
+    </message>
+    <message>
+        <source>The structure &apos;%1&apos; cannot serve the mode &apos;%2&apos;; &apos;visible&apos; can.</source>
+        <translation>Die Struktur „%1“ passt nicht zum Modus „%2“; „visible“ passt.</translation>
+    </message>
+    <message>
+        <source>The structure &apos;%1&apos; cannot serve the mode &apos;%2&apos;; none, macrocells, octree, pyramid, pc, acd, eacd and leap can.</source>
+        <translation>Die Struktur „%1“ passt nicht zum Modus „%2“; none, macrocells, octree, pyramid, pc, acd, eacd und leap passen.</translation>
+    </message>
+    <message>
+        <source>The structure &apos;leap&apos; keeps 15 bits a voxel and cannot serve f32 values unless the range to quantise is stated; none, macrocells, octree, pyramid, pc, acd and eacd can.</source>
+        <translation>Die Struktur „leap“ hält 15 Bit je Voxel und passt nicht zu f32-Werten, solange der Bereich zum Quantisieren nicht genannt ist; none, macrocells, octree, pyramid, pc, acd und eacd passen.</translation>
+    </message>
+    <message>
+        <source>Stored gradients need %1 MB, more than the %2 MB the device offers for them; take gradients on the fly.</source>
+        <translation>Gespeicherte Gradienten brauchen %1 MB, mehr als die %2 MB, die das Gerät dafür bietet; bitte Gradienten im Lauf rechnen.</translation>
+    </message>
+    <message>
+        <source>The structure &apos;%1&apos; needs %2 MB with an entry a voxel, more than the %3 MB the device offers for it; take macro-cells of 4, 8 or 16 voxels.</source>
+        <translation>Die Struktur „%1“ braucht mit einem Eintrag je Voxel %2 MB, mehr als die %3 MB, die das Gerät dafür bietet; bitte Makrozellen von 4, 8 oder 16 Voxeln nehmen.</translation>
+    </message>
+    <message>
+        <source>An axis of %1 voxels is longer than the %2 that can be drawn; crop the volume.</source>
+        <translation>Eine Achse von %1 Voxeln ist länger als die %2, die gezeichnet werden können; bitte das Volumen zuschneiden.</translation>
+    </message>
+    <message>
+        <source>The device has not enough memory for %1 (%2); use a smaller volume or picture, or a lower --memory-limit.</source>
+        <translation>Der Speicher des Geräts reicht nicht (%1, %2); bitte ein kleineres Volumen oder Bild nehmen oder die Speichergrenze senken.</translation>
+    </message>
+    <message>
+        <source>The device failed while %1 (%2); try another one with --device.</source>
+        <translation>Das Gerät versagte (%1, %2); bitte ein anderes versuchen.</translation>
+    </message>
+    <message>
+        <source>A buffer of %1 MB is more than %2 allocates at once (%3 MB); use a smaller volume or a lower --memory-limit.</source>
+        <translation>Ein Puffer von %1 MB ist mehr, als %2 auf einmal bereitstellt (%3 MB); bitte ein kleineres Volumen nehmen oder die Speichergrenze senken.</translation>
+    </message>
+    <message>
+        <source>OpenCL device %1 cannot be used: %2; choose another one.</source>
+        <translation>Das OpenCL-Gerät %1 ist nicht brauchbar: %2; bitte ein anderes wählen.</translation>
+    </message>
+    <message>
+        <source>No plan could be drawn on this device; choose another one.</source>
+        <translation>Auf diesem Gerät ließ sich kein Plan zeichnen; bitte ein anderes wählen.</translation>
+    </message>
+    <message>
+        <source>Brute force could not be drawn on this device; choose another one.</source>
+        <translation>Auf diesem Gerät ließ sich Brute Force nicht zeichnen; bitte ein anderes wählen.</translation>
+    </message>
+    <message>
+        <source>%1 is no JSON; it may have been cut short.</source>
+        <translation>%1 ist kein JSON; vielleicht wurde es abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>%1 has an unknown entry &apos;%2&apos;.</source>
+        <translation>%1 hat einen unbekannten Eintrag „%2“.</translation>
+    </message>
+    <message>
+        <source>%1 was saved by a newer Lacuna (session version %2; this one reads up to %3).</source>
+        <translation>%1 wurde von einem neueren Lacuna gesichert (Sitzungsversion %2; dieses liest bis %3).</translation>
+    </message>
+    <message>
+        <source>The session was saved with a volume of %1 voxels, the data now has %2; it is shown as newly opened.</source>
+        <translation>Die Sitzung wurde mit einem Volumen von %1 Voxeln gesichert, die Daten haben jetzt %2; sie werden wie neu geöffnet gezeigt.</translation>
+    </message>
+    <message>
+        <source>There is a preset named &quot;%1&quot; already; choose another name.</source>
+        <translation>Eine Vorgabe namens „%1“ gibt es schon; bitte einen anderen Namen wählen.</translation>
+    </message>
+    <message>
+        <source>A preset needs a name.</source>
+        <translation>Eine Vorgabe braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>The preset &quot;%1&quot; cannot be shown: %2</source>
+        <translation>Die Vorgabe „%1“ kann nicht gezeigt werden: %2</translation>
+    </message>
+    <message>
+        <source>%1: this transfer function is of version %2 of the format, which is newer than this program; it reads versions up to %3.</source>
+        <translation>%1: Diese Transferfunktion ist von Version %2 des Formats, neuer als dieses Programm; es liest bis Version %3.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached: %9.</source>
+        <translation>%1 ist nicht erreichbar: %9.</translation>
+    </message>
+    <message>
+        <source>The server %1 offers none of the DICOM services asked for.</source>
+        <translation>Der Server %1 bietet keinen der verlangten DICOM-Dienste an.</translation>
+    </message>
+    <message>
+        <source>There is nothing to send.</source>
+        <translation>Es gibt nichts zu senden.</translation>
+    </message>
+    <message>
+        <source>Cannot send %1: it is no DICOM object.</source>
+        <translation>%1 kann nicht gesendet werden: Es ist kein DICOM-Objekt.</translation>
+    </message>
+    <message>
+        <source>Cannot write what the server sends to %1: the disk is full or the file size is limited; nothing was kept.</source>
+        <translation>Was der Server sendet, kann nicht nach %1 geschrieben werden: Der Datenträger ist voll oder die Dateigröße begrenzt; es wurde nichts behalten.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Dafür reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>Something unexpected went wrong: %1</source>
+        <translation>Etwas Unerwartetes ging schief: %1</translation>
+    </message>
+    <message>
+        <source>free some space or write elsewhere</source>
+        <translation>bitte Platz schaffen oder anderswohin schreiben</translation>
+    </message>
+    <message>
+        <source>the file system or a limit (ulimit -f) allows no file so large; write elsewhere</source>
+        <translation>das Dateisystem oder eine Grenze (ulimit -f) erlaubt keine so große Datei; bitte anderswohin schreiben</translation>
+    </message>
+    <message>
+        <source>name a folder that takes new files</source>
+        <translation>bitte einen Ordner nennen, der neue Dateien aufnimmt</translation>
+    </message>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>bitte einen kürzeren Namen wählen</translation>
+    </message>
+    <message>
+        <source>check the disk or write elsewhere</source>
+        <translation>bitte den Datenträger prüfen oder anderswohin schreiben</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Zugriff verweigert</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner nicht gefunden</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Platzkontingent überschritten</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Dateisystem nur lesbar</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>Vorgang nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname zu lang</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Datei zu groß</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>Stale file handle</source>
+        <translation>Netzlaufwerk nicht mehr verbunden</translation>
+    </message>
+    <message>
+        <source>Network is unreachable</source>
+        <translation>Netz nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>No route to host</source>
+        <translation>kein Weg zum Rechner</translation>
+    </message>
+    <message>
+        <source>Connection reset by peer</source>
+        <translation>Verbindung von der Gegenseite beendet</translation>
+    </message>
+    <message>
+        <source>The volume holds no part: no material was found in it.</source>
+        <translation>Das Volumen enthält kein Teil: Es wurde kein Material darin gefunden.</translation>
+    </message>
+    <message>
+        <source>The part is cut by the volume&apos;s frame: what lies outside was not seen.</source>
+        <translation>Das Teil ist vom Rand des Volumens angeschnitten: Was außerhalb liegt, wurde nicht gesehen.</translation>
+    </message>
+    <message>
+        <source>The part reaches the volume&apos;s border: the border counts as its surface, and what it cuts is flagged.</source>
+        <translation>Das Teil reicht bis an den Rand des Volumens: Der Rand zählt als seine Oberfläche, und was er anschneidet, ist vermerkt.</translation>
+    </message>
+    <message>
+        <source>What was seen breaks %1 of %2 limits.</source>
+        <translation>Was gesehen wurde, verletzt %1 von %2 Grenzen.</translation>
+    </message>
+    <message>
+        <source>All %1 limits are kept.</source>
+        <translation>Alle %1 Grenzen sind eingehalten.</translation>
+    </message>
+    <message>
+        <source>The criteria set no limit, so there is nothing to pass.</source>
+        <translation>Die Kriterien setzen keine Grenze, also gibt es nichts zu bestehen.</translation>
+    </message>
+    <message>
+        <source>Defect %1 was rejected by hand: %2</source>
+        <translation>Fehlstelle %1 wurde von Hand abgelehnt: %2</translation>
+    </message>
+    <message>
+        <source>The material&apos;s range needs its low end below its high end.</source>
+        <translation>Der Bereich des Materials braucht sein unteres Ende unter dem oberen.</translation>
+    </message>
+    <message>
+        <source>The void threshold must lie below the inclusion threshold.</source>
+        <translation>Die Schwelle für Hohlräume muss unter der für Einschlüsse liegen.</translation>
+    </message>
 </context>
 <context>
     <name>Gestures</name>
@@ -1385,6 +1853,21 @@
     </message>
 </context>
 <context>
+    <name>Turntable</name>
+    <message>
+        <source>ffmpeg could not make the film: %1</source>
+        <translation>ffmpeg konnte den Film nicht machen: %1</translation>
+    </message>
+    <message>
+        <source>A film needs the program ffmpeg, which is not there; save pictures (.png).</source>
+        <translation>Ein Film braucht das Programm ffmpeg, das nicht da ist; bitte Bilder sichern (.png).</translation>
+    </message>
+    <message>
+        <source>There is no place for the film&apos;s pictures: %1.</source>
+        <translation>Für die Bilder des Films ist kein Platz: %1.</translation>
+    </message>
+</context>
+<context>
     <name>WindowPreset</name>
     <message>
         <source>Brain</source>
@@ -1693,6 +2176,18 @@
         <source>%1 pass, %2 fail, %3 cannot tell, %4 broken. The summary stands in %5.</source>
         <translation>%1 gut, %2 schlecht, %3 unentschieden, %4 defekt. Die Übersicht steht in %5.</translation>
     </message>
+    <message>
+        <source>Looking for the parts</source>
+        <translation>Suche nach den Teilen</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Looking for the parts…</source>
+        <translation>Die Teile werden gesucht…</translation>
+    </message>
 </context>
 <context>
     <name>lacuna::ui::BatchFeature</name>
@@ -1883,6 +2378,41 @@
     </message>
 </context>
 <context>
+    <name>lacuna::ui::CloseDialog</name>
+    <message>
+        <source>These jobs still run. What they have not finished is lost if they are stopped now.</source>
+        <translation>Diese Aufgaben laufen noch. Was sie nicht beendet haben, geht verloren, wenn sie jetzt angehalten werden.</translation>
+    </message>
+    <message>
+        <source>Close when they have &amp;ended</source>
+        <translation>Schließen, wenn sie &amp;fertig sind</translation>
+    </message>
+    <message>
+        <source>&amp;Stop them and close</source>
+        <translation>&amp;Anhalten und schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the window open</source>
+        <translation>Fenster &amp;offen lassen</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Fenster schließen</translation>
+    </message>
+    <message>
+        <source>Running jobs</source>
+        <translation>Laufende Aufgaben</translation>
+    </message>
+    <message>
+        <source>The window closes as soon as these jobs have ended:</source>
+        <translation>Das Fenster schließt, sobald diese Aufgaben beendet sind:</translation>
+    </message>
+    <message>
+        <source>%1 · %2 % done</source>
+        <translation>%1 · %2 % erledigt</translation>
+    </message>
+</context>
+<context>
     <name>lacuna::ui::ColoursFeature</name>
     <message>
         <source>&amp;Colours</source>
@@ -1911,6 +2441,30 @@
     <message>
         <source>Colour &amp;map</source>
         <translation>Farb&amp;karte</translation>
+    </message>
+    <message>
+        <source>Load a transfer function</source>
+        <translation>Transferfunktion laden</translation>
+    </message>
+    <message>
+        <source>Transfer functions (*.json);;All files (*)</source>
+        <translation>Transferfunktionen (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the transfer function</source>
+        <translation>Transferfunktion sichern</translation>
+    </message>
+    <message>
+        <source>Transfer functions (*.json)</source>
+        <translation>Transferfunktionen (*.json)</translation>
+    </message>
+    <message>
+        <source>Saving the transfer function</source>
+        <translation>Transferfunktion sichern</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
     </message>
 </context>
 <context>
@@ -2691,6 +3245,14 @@
         <source>measuring: %1</source>
         <translation>wird gemessen: %1</translation>
     </message>
+    <message>
+        <source>still the picture before; drawing…</source>
+        <translation>noch das Bild davor; wird gezeichnet…</translation>
+    </message>
+    <message>
+        <source>still the picture before; this one was not drawn</source>
+        <translation>noch das Bild davor; dieses wurde nicht gezeichnet</translation>
+    </message>
 </context>
 <context>
     <name>lacuna::ui::ExportFeature</name>
@@ -2789,6 +3351,14 @@
     <message>
         <source>Written to %1.</source>
         <translation>Geschrieben nach %1.</translation>
+    </message>
+    <message>
+        <source>A picture&apos;s name ends in .png, .tif or .tiff.</source>
+        <translation>Der Name eines Bildes endet auf .png, .tif oder .tiff.</translation>
+    </message>
+    <message>
+        <source>The picture could not be packed: %1.</source>
+        <translation>Das Bild konnte nicht gepackt werden: %1.</translation>
     </message>
 </context>
 <context>
@@ -2990,6 +3560,14 @@
     <message>
         <source>The report stands in %1.</source>
         <translation>Der Bericht steht in %1.</translation>
+    </message>
+    <message>
+        <source>Saving the criteria</source>
+        <translation>Kriterien sichern</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
     </message>
 </context>
 <context>
@@ -3244,6 +3822,13 @@
             <numerusform>Die gezeigte Szene trifft %n dieser Fälle:</numerusform>
             <numerusform>Die gezeigte Szene trifft %n dieser Fälle:</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::LoadController</name>
+    <message>
+        <source>lacuna render draws large volumes in .raw and .mhd from disk.</source>
+        <translation>lacuna render zeichnet große Volumen in .raw und .mhd von der Platte.</translation>
     </message>
 </context>
 <context>
@@ -4357,6 +4942,18 @@
     <message>
         <source>There is a preset “%1” already. Replace it?</source>
         <translation>Es gibt schon eine Vorgabe „%1“. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Importing a preset</source>
+        <translation>Vorgabe importieren</translation>
+    </message>
+    <message>
+        <source>Exporting the preset</source>
+        <translation>Vorgabe exportieren</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
     </message>
 </context>
 <context>
@@ -6259,18 +6856,6 @@
         <translation>Transferfunktion laden</translation>
     </message>
     <message>
-        <source>Transfer functions (*.json);;All files (*)</source>
-        <translation>Transferfunktionen (*.json);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Save the transfer function</source>
-        <translation>Transferfunktion sichern</translation>
-    </message>
-    <message>
-        <source>Transfer functions (*.json)</source>
-        <translation>Transferfunktionen (*.json)</translation>
-    </message>
-    <message>
         <source>Shapes of value and gradient are in use: points give the colours of projections.</source>
         <translation>Formen aus Wert und Gradient sind an: Punkte geben die Farben der Projektionen.</translation>
     </message>
@@ -6417,6 +7002,14 @@
     <message>
         <source>&amp;Next view: %1</source>
         <translation>&amp;Nächste Ansicht: %1</translation>
+    </message>
+    <message>
+        <source>zoom of a slice</source>
+        <translation>Zoom einer Schicht</translation>
+    </message>
+    <message>
+        <source>several views</source>
+        <translation>mehrere Ansichten</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,8 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 
+#include "core/base/atomic_file.h"
+#include "core/base/atomic_folder.h"
 #include "core/base/error.h"
 #include "core/io/dicom_catalogue.h"
 #include "core/io/pacs.h"
@@ -21,14 +23,16 @@ namespace {
 /// The core's sources, every literal that is written in several pieces put together.
 QString core_text() {
     QString all;
-    for (QDirIterator at(QStringLiteral(LACUNA_SOURCE_DIR "/core"), {QStringLiteral("*.cpp")}, QDir::Files,
-                         QDirIterator::Subdirectories);
+    for (QDirIterator at(QStringLiteral(LACUNA_SOURCE_DIR "/core"), {QStringLiteral("*.cpp"), QStringLiteral("*.h")},
+                         QDir::Files, QDirIterator::Subdirectories);
          at.hasNext();) {
         QFile file(at.next());
         EXPECT_TRUE(file.open(QIODevice::ReadOnly));
         all += QString::fromUtf8(file.readAll());
     }
-    return all.remove(QRegularExpression(QStringLiteral("\"\\s*\"")));
+    all.replace(QStringLiteral("\\\""), QString(QChar(1)));  // quotes within a literal
+    all.remove(QRegularExpression(QStringLiteral("\"\\s*\"")));
+    return all.replace(QChar(1), QLatin1Char('"'));
 }
 
 TEST(CoreSentences, StandInTheCoreWordByWord) {
@@ -83,6 +87,51 @@ TEST_F(GermanTest, TheCommonErrorsAreSaidInGerman) {
     EXPECT_TRUE(said_of([&] { pacs_echo(server); }).contains(QStringLiteral("'TWO WORDS'")));
     server.host.clear();
     EXPECT_TRUE(said_of([&] { pacs_echo(server); }).contains(QStringLiteral("Adresse")));
+}
+
+TEST_F(GermanTest, EverySentenceKnownIsSaidInGermanWithAllThatWasFilledIn) {
+    static const QRegularExpression place(QStringLiteral("%(\\d)"));
+    for (const QString& sentence : core_sentences()) {
+        QString english = sentence;
+        english.replace(QStringLiteral("%8"), QStringLiteral("choose a shorter name"));
+        english.replace(QStringLiteral("%9"), QStringLiteral("Permission denied"));
+        QStringList given;
+        for (auto at = place.globalMatch(sentence); at.hasNext();) {
+            const QString digit = at.next().captured(1);
+            if (digit > QLatin1String("7")) continue;
+            given << QStringLiteral("X%1Y").arg(digit);
+            english.replace(QLatin1Char('%') + digit, given.back());
+        }
+        const QString german = core_sentence(english);
+        EXPECT_NE(german, english);
+        for (const QString& word : given) EXPECT_TRUE(german.contains(word)) << german.toStdString();
+        for (const char* left : {"Permission denied", "choose a shorter name", "%1", "%8", "%9"})
+            EXPECT_FALSE(german.contains(QLatin1String(left))) << german.toStdString();
+    }
+}
+
+TEST_F(GermanTest, ReasonsAreTranslatedWithTheSentencesTheyStandIn) {
+    EXPECT_EQ(core_sentence("Cannot write /a/b.nrrd: No space left on device; nothing was written; free some space or "
+                            "write elsewhere."),
+              QStringLiteral("/a/b.nrrd kann nicht geschrieben werden: kein Platz auf dem Datenträger; es wurde nichts "
+                             "geschrieben; bitte Platz schaffen oder anderswohin schreiben."));
+    // What the system says in words not known stays English as a whole: half a sentence of each is neither.
+    const QString strange = QStringLiteral("Cannot read /a/b: something else.");
+    EXPECT_EQ(core_sentence(strange), strange);
+    EXPECT_TRUE(core_sentence("The reference component cannot be inspected: The volume holds no voxels.")
+                    .endsWith(QStringLiteral("Das Volumen enthält keine Voxel.")));
+    QTemporaryDir folder;
+    const std::string sidecar = folder.filePath(QStringLiteral("part.mhd")).toStdString();
+    EXPECT_TRUE(said_of([&] {
+                    write_file(sidecar,
+                               "ObjectType = Image\nNDims = 3\nDimSize = 4 4 4\nElementType = MET_UCHAR\n"
+                               "ElementNumberOfChannels = 3\nElementDataFile = LOCAL\n");
+                    open_volume(sidecar);
+                }).contains(QStringLiteral("3 Werte je Voxel")));
+    write_file(folder.filePath(QStringLiteral("full.txt")).toStdString(), "x");
+    EXPECT_TRUE(said_of([&] {
+                    AtomicFolder::check(folder.path().toStdString(), "report.json");
+                }).contains(QStringLiteral("report.json")));
 }
 
 TEST_F(GermanTest, WhatIsNotKnownStaysAsItIs) {

@@ -221,6 +221,31 @@ TEST_F(ShellTest, ArrangementsShowTheirViews) {
     QTest::keyClick(window.get(), Qt::Key_F5);
 }
 
+TEST_F(ShellTest, FitsASmallScreenWithNothingOverAnother) {
+    open(k_casting);
+    window->resize(800, 600);
+    (void)QTest::qWaitFor([this] { return window->size() == QSize(800, 600); }, 2000);
+    EXPECT_EQ(window->size(), QSize(800, 600));
+    EXPECT_LE(window->minimumSizeHint().width(), 800);
+    EXPECT_LE(window->minimumSizeHint().height(), 600);
+    for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
+        if (dock->visibleRegion().isEmpty()) continue;
+        EXPECT_TRUE(window->rect().contains(dock->geometry())) << dock->objectName().toStdString();
+        EXPECT_FALSE(dock->geometry().intersects(window->centralWidget()->geometry()))
+            << dock->objectName().toStdString();
+    }
+    // What has no room is said in part, and ends in dots.
+    StatusLine* line = window->statusLine();
+    window->bench()->tasks()->begin(QStringLiteral("Inspecting a series of many parts"), {});
+    QApplication::processEvents();
+    EXPECT_TRUE(line->rect().contains(line->frameLabel()->geometry()));
+    EXPECT_TRUE(line->frameLabel()->shownText() == line->frameText() ||
+                line->frameLabel()->shownText().endsWith(QChar(0x2026)))
+        << line->frameLabel()->shownText().toStdString();
+    EXPECT_GT(line->readoutLabel()->width(), 60);
+    window->bench()->tasks()->end(window->bench()->tasks()->rows().back().id);
+}
+
 TEST_F(ShellTest, TheLayoutIsRememberedAndReset) {
     open(k_casting);
     QTest::keyClick(window.get(), Qt::Key_F6);

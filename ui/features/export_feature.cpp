@@ -22,13 +22,14 @@ QByteArray encoded(const QImage& image, const QString& file) {
     const bool tiff = file.endsWith(QStringLiteral(".tif"), Qt::CaseInsensitive) ||
                       file.endsWith(QStringLiteral(".tiff"), Qt::CaseInsensitive);
     if (!tiff && !file.endsWith(QStringLiteral(".png"), Qt::CaseInsensitive))
-        throw Error(Errc::bad_usage, "A picture's name ends in .png, .tif or .tiff.");
+        throw Error(Errc::bad_usage, ExportFeature::tr("A picture's name ends in .png, .tif or .tiff.").toStdString());
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     QImageWriter writer(&buffer, tiff ? "tiff" : "png");
     if (!writer.write(image))
-        throw Error(Errc::unsupported, "The picture could not be packed: " + writer.errorString().toStdString() + ".");
+        throw Error(Errc::unsupported,
+                    ExportFeature::tr("The picture could not be packed: %1.").arg(writer.errorString()).toStdString());
     return bytes;
 }
 

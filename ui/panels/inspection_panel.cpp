@@ -4,10 +4,12 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QInputDialog>
+#include <QLocale>
 #include <QScrollArea>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/core_sentences.h"
 #include "ui/tab_chain.h"
 #include "ui/widgets/table_header.h"
 
@@ -211,7 +213,7 @@ void InspectionPanel::showVerdict() {
     const QString word = verdict == Verdict::pass   ? tr("Pass")
                          : verdict == Verdict::fail ? tr("Fail")
                                                     : tr("Cannot tell");
-    const QString why = judgement_.reasons.empty() ? QString() : QString::fromStdString(judgement_.reasons.front());
+    const QString why = judgement_.reasons.empty() ? QString() : core_sentence(judgement_.reasons.front());
     verdict_->setText(stale_ ? tr("%1 (of the settings before; inspect again)").arg(word)
                              : QStringLiteral("<b>%1</b><br>%2").arg(word, why.toHtmlEscaped()));
     verdict_->setStyleSheet(
@@ -223,15 +225,14 @@ void InspectionPanel::showVerdict() {
     QStringList lines{tr("%n defect(s)", nullptr, int(analysis_->defects.size()))};
     if (std::isfinite(porosity.value))
         lines << tr("Porosity %1 % (%2 to %3)")
-                     .arg(porosity.value, 0, 'g', 3)
-                     .arg(porosity.lo, 0, 'g', 3)
-                     .arg(porosity.hi, 0, 'g', 3);
+                     .arg(QLocale().toString(porosity.value, 'g', 3), QLocale().toString(porosity.lo, 'g', 3),
+                          QLocale().toString(porosity.hi, 'g', 3));
     if (!by_hand_.empty()) lines << tr("%n decided by hand", nullptr, int(by_hand_.size()));
-    for (const std::string& warning : analysis_->part.warnings) lines << QString::fromStdString(warning);
+    for (const std::string& warning : analysis_->part.warnings) lines << core_sentence(warning);
     facts_->setText(lines.join(QLatin1Char('\n')));
     facts_->setToolTip(facts_->text());
     QStringList reasons;
-    for (const std::string& reason : judgement_.reasons) reasons << QString::fromStdString(reason);
+    for (const std::string& reason : judgement_.reasons) reasons << core_sentence(reason);
     verdict_->setToolTip(reasons.join(QLatin1Char('\n')));
 }
 
