@@ -5,9 +5,9 @@
 #include "core/io/open_limit.h"
 #include "core/io/raw_guess.h"
 #include "core/render/brick_plan.h"
+#include "ui/core_sentences.h"
 #include "ui/hidden_names.h"
 #include "ui/preferences.h"
-#include "ui/core_sentences.h"
 
 namespace lacuna::ui {
 

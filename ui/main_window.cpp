@@ -19,7 +19,6 @@
 #include "ui/features/view_history_feature.h"
 #include "ui/preferences.h"
 #include "ui/series_dialog.h"
-#include "ui/widgets/panel_scroll.h"
 
 namespace lacuna::ui {
 
@@ -128,13 +127,7 @@ void MainWindow::buildFeatures() {
     tabifyDockWidget(accuracy_->dock(), measure_->dock());
     tabifyDockWidget(measure_->dock(), limits_->dock());
     regions_->dock()->raise();
-    int height = 0;  // all of every panel, where the window has room for it
-    for (const QDockWidget* dock : {regions_->dock(), inspection_->dock(), measure_->dock()}) {
-        const auto* scroll = static_cast<PanelScroll*>(dock->widget());
-        height =
-            std::max(height, scroll->wholePanel().height() + dock->sizeHint().height() - scroll->sizeHint().height());
-    }
-    resizeDocks({regions_->dock()}, {std::max(190, height)}, Qt::Vertical);
+    resizeDocks({regions_->dock()}, {190}, Qt::Vertical);
 }
 
 void MainWindow::startEngine(EngineFactory make_engine) {

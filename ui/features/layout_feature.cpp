@@ -3,10 +3,12 @@
 #include <QEvent>
 #include <QLayout>
 #include <QScreen>
+#include <algorithm>
 
 #include "ui/preferences.h"
 #include "ui/theme_control.h"
 #include "ui/tool_bar.h"
+#include "ui/widgets/panel_scroll.h"
 
 namespace lacuna::ui {
 
@@ -15,6 +17,23 @@ using Menu = Workbench::Menu;
 namespace {
 constexpr QSize k_first_size{1480, 940};
 constexpr int k_scene_width = 380;
+constexpr double k_most_below = 0.3;  ///< of the window's height for the panels below the views
+
+/// Gives the panels below the views the height at which none of them is scrolled, where the window has it.
+void fit_panels_below(QMainWindow* window) {
+    QDockWidget* shown = nullptr;
+    int height = 0;
+    for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
+        const auto* scroll = dynamic_cast<const PanelScroll*>(dock->widget());
+        if (!scroll || dock->isHidden() || dock->isFloating() ||
+            window->dockWidgetArea(dock) != Qt::BottomDockWidgetArea)
+            continue;
+        height =
+            std::max(height, scroll->wholePanel().height() + dock->sizeHint().height() - scroll->sizeHint().height());
+        shown = dock;
+    }
+    if (shown) window->resizeDocks({shown}, {std::min(height, int(k_most_below * window->height()))}, Qt::Vertical);
+}
 }  // namespace
 
 LayoutFeature::LayoutFeature(Workbench& bench) : QObject(&bench), bench_(bench), arrangements_(new QActionGroup(this)) {
@@ -39,6 +58,7 @@ LayoutFeature::LayoutFeature(Workbench& bench) : QObject(&bench), bench_(bench),
         window->resize(k_first_size.boundedTo(window->screen()->availableSize()));
         if (auto* scene = window->findChild<QDockWidget*>(QStringLiteral("scene")))
             window->resizeDocks({scene}, {k_scene_width}, Qt::Horizontal);
+        fit_panels_below(window);
     }
     bench.window()->installEventFilter(this);
 }
@@ -92,6 +112,7 @@ void LayoutFeature::addThemes() {
 void LayoutFeature::reset() {
     bench_.window()->restoreState(first_state_);
     bench_.views()->reset();
+    fit_panels_below(bench_.window());
     preferences::forget_window();
 }
 
