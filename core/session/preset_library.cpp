@@ -90,7 +90,7 @@ fs::path rename_preset(const fs::path& file, const std::string& name) {
     PresetFile preset = load_preset(file);
     if (preset.tf.name == name) return file;
     preset.tf.name = name;
-    const fs::path renamed = store_preset(file.parent_path(), preset, false);
+    fs::path renamed = store_preset(file.parent_path(), preset, false);
     if (renamed != file) remove_preset(file);
     return renamed;
 }

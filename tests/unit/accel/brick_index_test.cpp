@@ -69,7 +69,7 @@ TEST(BrickIndex, NaNIsNeverUniform) {
     const auto table = VisibilityTable::of_ranges({}, index.statistics.range);
     for (const BrickState& state : brick_states(grid, index, classify_macrocells(index.cells, table, 0)))
         EXPECT_NE(state.content, BrickContent::empty);
-    const BrickState& holding = brick_states(
+    const BrickState holding = brick_states(
         grid, index,
         classify_macrocells(index.cells, table, 0))[std::size_t(grid.index({0, 1, 1}))];  // voxel 4000 is (0, 0, 10)
     EXPECT_EQ(holding.content, BrickContent::full);
