@@ -119,6 +119,7 @@ Walk walk_surfaces(const Volume& volume, const LabelVolume& labels, const MaskVo
     RegionShell shell(labels, &part, id, bbox_first, bbox_last, layers);
     SliceReader reader(volume, shell.first(), shell.extent());
     std::vector<SurfaceMesher> meshers;
+    meshers.reserve(thresholds.size());
     for (const double t : thresholds)
         meshers.emplace_back(shell.extent(), shell.first(), volume.geometry(), level_for(s.type, t));
     const std::size_t plane = std::size_t(shell.extent().x) * std::size_t(shell.extent().y);

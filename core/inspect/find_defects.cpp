@@ -201,7 +201,7 @@ void judge(Work& w, std::vector<Defect>& defects) {
 }
 
 /// Ids 1..n by descending volume, in the rows and in the labels; what was dropped is taken out.
-void number_defects(std::vector<Defect>& defects, std::uint32_t provisional, std::vector<Candidates*> candidates,
+void number_defects(std::vector<Defect>& defects, std::uint32_t provisional, const std::vector<Candidates*>& candidates,
                     LabelVolume& labels, const JobContext& job) {
     std::stable_sort(defects.begin(), defects.end(),
                      [](const Defect& x, const Defect& y) { return x.volume_mm3.value > y.volume_mm3.value; });

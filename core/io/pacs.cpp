@@ -92,8 +92,8 @@ Outgoing outgoing(const fs::path& file) {
     const OFCondition read = format.loadFileUntilTag(file.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength,
                                                      ERM_autoDetect, DCM_PixelData);
     DcmDataset& set = *format.getDataset();
-    const Outgoing found{file, read.good() ? text_of(set, DCM_SOPClassUID) : "",
-                         read.good() ? DcmXfer(set.getOriginalXfer()).getXferID() : ""};
+    Outgoing found{file, read.good() ? text_of(set, DCM_SOPClassUID) : "",
+                   read.good() ? DcmXfer(set.getOriginalXfer()).getXferID() : ""};
     if (found.sop_class.empty())
         throw Error(Errc::bad_input, "Cannot send " + file.filename().string() + ": it is no DICOM object.");
     return found;

@@ -48,7 +48,7 @@ glm::dvec3 spacing_in(const fs::path& sidecar, const std::string& key, const std
 
 fs::path data_file(const fs::path& sidecar, const std::string& key, const std::string& named) {
     if (named.empty()) refuse(sidecar, "'" + key + "' is missing");
-    const fs::path file = sidecar.parent_path() / fs::path(named);
+    fs::path file = sidecar.parent_path() / fs::path(named);
     std::error_code ec;
     if (!fs::is_regular_file(file, ec))
         throw Error(Errc::bad_input, sidecar.string() + " names the data file " + named +

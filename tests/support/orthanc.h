@@ -31,15 +31,13 @@ public:
             throw std::runtime_error("no free port");
         port_ = ntohs(address.sin_port);
     }
-    ~Listener() { close(); }
+    ~Listener() {
+        if (socket_ >= 0) ::close(socket_);
+    }
     int port() const { return port_; }
     int accept() const { return ::accept(socket_, nullptr, nullptr); }
-    void close() {
-        if (socket_ < 0) return;
-        ::shutdown(socket_, SHUT_RDWR);
-        ::close(socket_);
-        socket_ = -1;
-    }
+    /// Wakes who waits in accept() and takes no more; the socket stays this one's until nobody can wait for it.
+    void stop() const { ::shutdown(socket_, SHUT_RDWR); }
 
 private:
     int socket_, port_ = 0;

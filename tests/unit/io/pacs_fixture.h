@@ -34,7 +34,7 @@ public:
         });
     }
     ~Peer() {
-        listener_.close();
+        listener_.stop();
         thread_.join();
         for (const int connection : open_) ::close(connection);
     }

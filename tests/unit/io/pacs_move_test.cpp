@@ -229,7 +229,7 @@ public:
     }
     ~Proxy() {
         over_ = true;
-        listener_.close();
+        listener_.stop();
         thread_.join();
     }
     int port() const { return listener_.port(); }
