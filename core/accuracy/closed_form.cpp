@@ -30,11 +30,12 @@ public:
           voxel_mm_(scene.volume.geometry().smallest_spacing_mm()),
           step_mm_(step_mm),
           smooth_(sample.background == sample.material),
-          quadrics_(!sample.objects.empty() && std::all_of(sample.objects.begin(), sample.objects.end(),
-                                                           [](const SampleObject& o) { return o.kind == "ball"; })) {}
+          balls_(!sample.objects.empty() && std::all_of(sample.objects.begin(), sample.objects.end(),
+                                                        [](const SampleObject& o) { return o.kind == "ball"; })),
+          quadrics_(balls_ && sample.background < scene.iso && scene.iso <= sample.material) {}
 
     /// A normal is known at every point a shaded picture needs one.
-    bool has_normals() const { return smooth_ || (quadrics_ && scene_.mode == ViewMode::iso); }
+    bool has_normals() const { return smooth_ || (balls_ && scene_.mode == ViewMode::iso); }
 
     Pixel trace(const glm::dvec3& origin, const glm::dvec3& direction) const {
         const LatticeRay ray = reference::cast(origin, direction, scene_.volume.geometry(), {}, step_mm_);
@@ -175,7 +176,8 @@ private:
     const AnalyticSample& sample_;
     double voxel_mm_, step_mm_;
     bool smooth_;    ///< the value is a smooth formula, not levels of solid parts
-    bool quadrics_;  ///< all there is are ellipsoids of one material
+    bool balls_;     ///< all there is are ellipsoids of one material
+    bool quadrics_;  ///< the isosurface is theirs; else the value is on one side of the isovalue everywhere
 };
 
 void check_closed_form(const Scene& scene, const AnalyticSample& sample) {
@@ -188,6 +190,7 @@ void check_closed_form(const Scene& scene, const AnalyticSample& sample) {
     if (!scene.cuts.empty()) refuse("a scene with cuts");
     if (!scene.classification.ranges.empty()) refuse("a scene with segmentation ranges");
     if (!scene.effects.empty()) refuse("a scene with effects");
+    if (scene.regions) refuse("a scene by regions");
     const bool gradients = scene.shading != Shading::none || scene.classification.uses_gradient();
     if (scene.mode == ViewMode::ea && gradients && sample.background != sample.material)
         refuse("shaded emission-absorption of solid parts (take --shading none)");

@@ -155,7 +155,7 @@ std::string describe(const DeviceCosts& costs) {
 std::string to_json(const DeviceCosts& costs) {
     ordered_json json{{"device", costs.device}, {"driver", costs.driver}, {"program", costs.program}};
     for (const Field& field : k_fields) json[field.key] = costs.*field.member;
-    return json.dump(1) + "\n";
+    return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 DeviceCosts device_costs_from_json(const std::string& text, const std::string& where) {

@@ -79,10 +79,16 @@ std::string refused_by_limits(const SceneFacts& facts, const Scene& scene, const
 
 double spot_loss(const Scene& scene, double step) {
     const GridGeometry& grid = scene.volume.geometry();
-    const glm::dvec3 forward = resolve(scene.camera, grid, scene.size).forward;
-    const glm::dvec3 way = glm::transpose(grid.direction) * forward * (0.5 * step * grid.smallest_spacing_mm());
+    const ViewRays rays = resolve(scene.camera, grid, scene.size);
+    // Along each axis by the ray that runs most along it; the picture's corners are farthest from its middle.
+    const double spread = std::acos(std::min(1.0, glm::dot(rays.forward, rays.direction(0, 0))));
+    const glm::dvec3 middle = glm::abs(glm::transpose(grid.direction) * rays.forward);
     double left = 1;
-    for (int axis = 0; axis < 3; ++axis) left *= std::max(0.0, 1 - std::fabs(way[axis]) / grid.spacing[axis]);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double along =
+            rays.perspective ? std::cos(std::max(0.0, std::acos(std::min(1.0, middle[axis])) - spread)) : middle[axis];
+        left *= std::max(0.0, 1 - 0.5 * step * grid.smallest_spacing_mm() * along / grid.spacing[axis]);
+    }
     return 1 - left;
 }
 

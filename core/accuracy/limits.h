@@ -72,7 +72,8 @@ std::string refused_by_limits(const SceneFacts& facts, const Scene& scene, const
                               double levels);
 
 /// The largest share of a one-voxel spot's height that samples `step` smallest spacings apart can lose: the nearest one
-/// lies up to half a step off, and the trilinear spot falls by its distance along each axis.
+/// lies up to half a step off, and the trilinear spot falls by its distance along each axis. No ray of the view loses
+/// more; in perspective none may lose quite as much.
 double spot_loss(const Scene& scene, double step);
 
 /// A limit as docs/limits.md has it: one line of text, "- **Name.** ...".

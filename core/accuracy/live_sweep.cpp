@@ -55,11 +55,13 @@ void LiveSweep::add(const Visit& visit) {
     SweepPoint& point = result_.points[*at];
     if (!visit.refused.empty()) {
         point.refused = visit.refused;
+        times_[*at].clear();
         impossible_.insert(*at);
         // Taken out of the round: what was visited of this round stays visited.
         const std::size_t round = visits_ / order_.size(), place = visits_ % order_.size();
         std::erase(order_, *at);
         visits_ = order_.empty() ? 0 : round * order_.size() + std::min(place, order_.size());
+        mark_front(result_.points, FrontError::max);  // it may have stood there
         return;
     }
     if (times_[*at].empty()) {

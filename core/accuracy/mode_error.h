@@ -22,11 +22,12 @@ struct SurfaceError {
 SurfaceError compare_surfaces(const Frame& frame, const Frame& reference, double voxel_mm);
 
 /// How far projected values fall short, from the grey levels of two frames drawn through the same window. A ray's
-/// maximum over samples can only be too small, its minimum only too large: both are counted as undershoot.
+/// maximum over samples can only be too small, its minimum only too large: both are counted as undershoot. Beyond it go
+/// the first local maximum (another one may be stopped at), nearest voxels and interpolated pixels: that is overshoot.
 struct ProjectionError {
     double max_undershoot = 0;   ///< in the volume's unit; infinite when a value is NaN
     double mean_undershoot = 0;  ///< over all pixels
-    double max_overshoot = 0;    ///< what should not be, but for rounding
+    double max_overshoot = 0;    ///< the other way
     std::uint64_t pixels = 0;    ///< pixels with an undershoot above one 65535th of the window
 };
 

@@ -411,7 +411,7 @@ private:
         const auto last = measure(views_, quickest.plan, k_timings);
         if (last && (!fastest || last->ms < fastest->ms)) fastest = last;
         if (!fastest) throw Error(Errc::device, "No plan could be drawn on this device; choose another one.");
-        return chosen(*fastest, false);
+        return chosen(*fastest, fastest->ms <= limit);
     }
 
     std::string asked() const {

@@ -56,7 +56,7 @@ ProjectionError worst(const ProjectionError& a, const ProjectionError& b) {
 }
 
 bool projects_extremes(const Scene& scene) {
-    return !scene.color_by_tf &&
+    return !scene.color_by_tf && scene.effects.empty() &&
            (scene.mode == ViewMode::mip || scene.mode == ViewMode::lmip || scene.mode == ViewMode::minip);
 }
 
@@ -139,10 +139,12 @@ private:
                 engine_.drop_caches();
                 for (std::size_t view = 0; view < scene_.views.size(); ++view) {
                     const RenderResult drawn = draw(view, point.plan);
+                    std::size_t bytes = 0;  // held now: other views may have added to a structure
                     for (const auto& [name, made] : drawn.build) {
                         point.build_ms += made.ms;
-                        if (view == 0) point.bytes += made.bytes;
+                        bytes += made.bytes;
                     }
+                    point.bytes = std::max(point.bytes, bytes);
                     compare_view(point, view, drawn.frame);
                 }
             } catch (const Error& error) {
@@ -175,9 +177,10 @@ private:
                 job.checkpoint(++done, total);
                 in_time = watch_.ms() * 1e-3 < options_.time_limit_s;
             }
-            result_.rounds += in_time;
         }
+        result_.rounds = measured.empty() ? 0 : options_.rounds;
         for (std::size_t i = 0; i < measured.size(); ++i) {
+            result_.rounds = std::min(result_.rounds, int(times[i].size()));
             SweepPoint& point = *measured[i];
             if (times[i].empty()) {
                 point.refused = k_no_time;
@@ -261,10 +264,12 @@ void mark_front(std::vector<SweepPoint>& points, FrontError error) {
         const double ea = front_error(*a, error), eb = front_error(*b, error);
         return ea != eb ? ea < eb : a->ms < b->ms;
     });
-    double fastest = std::numeric_limits<double>::infinity();
+    const SweepPoint* fastest = nullptr;
     for (SweepPoint* point : order) {
-        point->on_front = point->ms < fastest;
-        fastest = std::min(fastest, point->ms);
+        const bool alike =
+            fastest && point->ms == fastest->ms && front_error(*point, error) == front_error(*fastest, error);
+        point->on_front = !fastest || point->ms < fastest->ms || alike;
+        if (point->on_front) fastest = point;
     }
 }
 

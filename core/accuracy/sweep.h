@@ -46,7 +46,7 @@ struct SweepPoint {
     double ms = 0;                                   ///< a frame: mean over the views, median over the rounds
     double ms_low = 0, ms_high = 0;                  ///< quartiles over the rounds
     double build_ms = 0;                             ///< all structures, from nothing
-    std::size_t bytes = 0;                           ///< they hold
+    std::size_t bytes = 0;                           ///< they hold after the view that needs most
     ImageError error;                                ///< of the worst view, number by number
     std::optional<SurfaceError> surface = {};        ///< iso, likewise
     std::optional<ProjectionError> projection = {};  ///< mip, lmip, minip, likewise

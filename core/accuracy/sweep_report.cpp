@@ -39,6 +39,7 @@ ordered_json json_of(const SurfaceError& error) {
 ordered_json json_of(const ProjectionError& error) {
     return {{"max_undershoot", finite(error.max_undershoot)},
             {"mean_undershoot", finite(error.mean_undershoot)},
+            {"max_overshoot", finite(error.max_overshoot)},
             {"pixels", error.pixels}};
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr NameTable<Truth, 3> k_truth_names{
     {{Truth::samples, "samples"}, {Truth::fine, "fine"}, {Truth::closed_form, "closed-form"}}};
 
-constexpr double k_finer = 16, k_finest_step = 0.01;
+constexpr double k_finer = 16;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ TrueFrame render_truth(Truth truth, const Scene& scene, const Plan& like, const 
         return render_closed_form(scene, *sample, like, job);
     }
     Plan plan = reference_plan(scene, like);
-    if (truth == Truth::fine) plan.step = std::max(plan.step / k_finer, k_finest_step);
+    if (truth == Truth::fine) plan.step /= k_finer;
     TrueFrame made{render_reference(scene, plan, job), "", true};
     apply_effects(scene, made.frame, job);
     made.reference = fmt::format("reference renderer, structure none, ert {:g}, step {:g}, sampler {}", plan.ert,

@@ -59,6 +59,27 @@ TEST(LiveSweep, EveryPlanIsVisitedOnceARoundForthAndBack) {
     for (std::size_t i = 0; i < sweep.result().points.size(); ++i) EXPECT_FALSE(sweep.pending(i));
 }
 
+TEST(LiveSweep, APlanThatFailsLaterLeavesTheFrontToOthers) {
+    LiveSweep sweep = sweep_of(scene());
+    const std::size_t fast = 1;
+    while (sweep.result().rounds == 0) sweep.add(visit_of(*sweep.next() == fast ? 1 : 50, 0));
+    ASSERT_TRUE(sweep.result().points[fast].on_front);
+    const std::size_t measured = sweep.measured();
+    while (*sweep.next() != fast) sweep.add(visit_of(50, 0));
+    LiveSweep::Visit failed;
+    failed.refused = "The device is gone.";
+    sweep.add(failed);
+    EXPECT_FALSE(sweep.result().points[fast].on_front);
+    EXPECT_TRUE(sweep.result().points[0].on_front);
+    EXPECT_FALSE(sweep.pending(fast));
+    EXPECT_EQ(sweep.measured(), measured - 1);
+    for (auto at = sweep.next(); at; at = sweep.next()) {
+        EXPECT_NE(*at, fast);
+        sweep.add(visit_of(50, 0));
+    }
+    EXPECT_EQ(sweep.result().rounds, LiveSweep::k_rounds);
+}
+
 TEST(LiveSweep, TimesAreMediansAndTheFrontFollowsThem) {
     LiveSweep sweep = sweep_of(scene());
     const std::size_t brute = 0, fast = 1;

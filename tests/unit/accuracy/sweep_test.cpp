@@ -68,6 +68,21 @@ TEST(Front, HoldsWhatNothingBeats) {
     EXPECT_TRUE(points[0].on_front) << "weighed by another error";
 }
 
+TEST(Front, EqualPointsStandTogetherWhateverTheirOrder) {
+    for (const bool turned : {false, true}) {
+        std::vector<SweepPoint> points{point(20, 0), point(20, 0), point(9, 3), point(9, 3), point(9, 4), point(20, 3)};
+        if (turned) std::reverse(points.begin(), points.end());
+        mark_front(points, FrontError::max);
+        for (const SweepPoint& p : points) {
+            bool beaten = false;  // the definition
+            for (const SweepPoint& q : points)
+                beaten = beaten ||
+                         (q.ms <= p.ms && q.error.max <= p.error.max && (q.ms < p.ms || q.error.max < p.error.max));
+            EXPECT_EQ(p.on_front, !beaten) << p.ms << ", " << p.error.max;
+        }
+    }
+}
+
 TEST(Front, MeasuresAreNamed) {
     for (const FrontError e : {FrontError::max, FrontError::mean, FrontError::flip})
         EXPECT_EQ(parse_front_error(name_of(e)), e);
@@ -102,6 +117,31 @@ TEST(Sweep, LosslessStructuresAreWithoutErrorCoarseStepsAreNot) {
         EXPECT_LT(result.of_reference.device->mean, 0.5);
         EXPECT_GT(result.of_reference.fine->max, 0);
     }
+}
+
+TEST(Sweep, BytesAreThoseHeldAfterAllViews) {
+    SweepScene scene = small(ViewMode::iso, 2);
+    scene.views[1].elevation_deg = 90;  // shear-warp makes other lists for it
+    const SceneResult result = sweep(engine(), scene, quickly(1));
+    int looked_at = 0;
+    for (const SweepPoint& p : result.points) {
+        if (p.plan.mode != ViewMode::shear_warp || !p.refused.empty()) continue;
+        ++looked_at;
+        engine().drop_caches();
+        std::size_t after_one = 0, after_all = 0;
+        for (const Camera& view : scene.views) {
+            Scene shown = scene.scene;
+            shown.camera = view;
+            shown.mode = p.plan.mode;
+            std::size_t bytes = 0;
+            for (const auto& [name, made] : engine().render(shown, p.plan.plan).build) bytes += made.bytes;
+            if (after_one == 0) after_one = bytes;
+            after_all = std::max(after_all, bytes);
+        }
+        EXPECT_GT(after_all, after_one);
+        EXPECT_EQ(p.bytes, after_all);
+    }
+    EXPECT_GT(looked_at, 0);
 }
 
 TEST(Sweep, ASampleIsHeldAgainstItsFormula) {

@@ -1,10 +1,12 @@
 #include "core/accuracy/truth.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/accuracy/image_error.h"
 #include "core/accuracy/mode_error.h"
 #include "core/render/reference_renderer.h"
+#include "core/render/region_view.h"
 #include "core/volume/statistics.h"
 
 namespace lacuna {
@@ -75,6 +77,39 @@ TEST(Truth, BallsAreFoundExactlyAndVoxelsComeCloser) {
         const double mean_mm = error.mean_voxels * s.scene.volume.geometry().smallest_spacing_mm();
         EXPECT_LT(mean_mm, 0.6 * before) << size;
         before = mean_mm;
+    }
+}
+
+TEST(Truth, BallsHaveNoSurfaceAtValuesTheyDoNotHave) {
+    Sample s = sample("spheres", 24, ViewMode::iso);
+    s.scene.iso = s.analytic.material + 1000;
+    TrueFrame truth = render_truth(Truth::closed_form, s.scene, default_plan(s.scene), &s.analytic);
+    EXPECT_TRUE(truth.has_colors);
+    EXPECT_EQ(compare(voxels(s.scene), truth.frame, {0, 0, 0}).max, 0) << "nothing is that bright";
+    s.scene.iso = s.analytic.background - 1000;
+    truth = render_truth(Truth::closed_form, s.scene, default_plan(s.scene), &s.analytic);
+    EXPECT_TRUE(truth.has_colors);
+    EXPECT_LT(compare(voxels(s.scene), truth.frame, {0, 0, 0}).max, 1) << "the volume's own sides";
+}
+
+TEST(Truth, RegionsHaveNoClosedForm) {
+    Sample s = sample("spheres", 24, ViewMode::ea);
+    s.scene.shading = Shading::none;
+    EXPECT_NO_THROW(render_truth(Truth::closed_form, s.scene, default_plan(s.scene), &s.analytic));
+    RegionViewOptions options;
+    options.view = RegionView::hide;
+    options.regions.range_width = 0.1;
+    s.scene.regions = make_region_classes(s.scene.volume, options);
+    EXPECT_THROW(render_truth(Truth::closed_form, s.scene, default_plan(s.scene), &s.analytic), Error);
+}
+
+TEST(Truth, FineIsSixteenTimesFinerAtTheShortestStepToo) {
+    const Sample s = sample("spheres", 16, ViewMode::mip, 12);
+    for (const double step : {0.5, 0.1, 0.01}) {
+        Plan plan = default_plan(s.scene);
+        plan.step = step;
+        const std::string words = render_truth(Truth::fine, s.scene, plan).reference;
+        EXPECT_NE(words.find(fmt::format("step {:g},", step / 16)), std::string::npos) << words;
     }
 }
 
