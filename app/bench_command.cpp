@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "app/bench_scenes.h"
@@ -20,8 +21,8 @@ constexpr double k_quick_limit_s = 48;  // of --quick, for its scenes; the rest 
 
 struct BenchOptions {
     InputOptions input;
-    std::string chart, json, data, device, modes = "iso,ea,mip", size = "512x512", views_text, rounds_text,
-                                           front = "max", time_limit_text, only;
+    std::string chart, json, data, device, views_text, rounds_text, front = "max", time_limit_text, only;
+    std::optional<std::string> modes, size;
     bool quick = false, list = false;
     int views = 0, rounds = 0;
     double time_limit_s = 0;
@@ -29,6 +30,11 @@ struct BenchOptions {
     void add_to(CLI::App& command);
     void parse();
     std::vector<SceneWords> scenes() const;
+
+private:
+    bool from_file() const { return std::filesystem::path(input.input).extension() == ".json"; }
+    void check_words() const;
+    std::vector<SceneWords> scenes_of_input() const;
 };
 
 void BenchOptions::add_to(CLI::App& command) {
@@ -50,12 +56,31 @@ void BenchOptions::add_to(CLI::App& command) {
     command.add_option("--device", device, "OpenCL device: number or part of its name");
 }
 
+/// A word that only the other kind of INPUT has a use for is no word to pass over.
+void BenchOptions::check_words() const {
+    const auto refuse_if_given = [](const std::string& flag, bool given, const char* why) {
+        if (given) throw Error(Errc::bad_usage, fmt::format("{} {}.", flag, why));
+    };
+    if (from_file()) {
+        const char* const why = "does not go with a scene file, whose scenes say it";
+        refuse_if_given("--modes", modes.has_value(), why);
+        refuse_if_given("--size", size.has_value(), why);
+        refuse_if_given("--raw", !input.open.raw.empty(), why);
+        refuse_if_given("--series", !input.open.series.empty(), why);
+        refuse_if_given("--spacing", !input.spacing_text.empty(), why);
+    } else {
+        refuse_if_given("--scene", !only.empty(), "goes with a scene file (.json)");
+        refuse_if_given("--data", !data.empty(), "goes with a scene file (.json)");
+    }
+}
+
 void BenchOptions::parse() {
     input.check();
+    check_words();
     views = views_text.empty() ? (quick ? 1 : 4) : int(parse_integer("--views", views_text, 1, 360));
     rounds = rounds_text.empty() ? (quick ? 3 : 5) : int(parse_integer("--rounds", rounds_text, 1, 1000));
     parse_front_error(front);
-    parse_size("--size", size);
+    if (size) parse_size("--size", *size);
     if (!time_limit_text.empty()) {
         time_limit_s = parse_number("--time-limit", time_limit_text);
         if (!(time_limit_s > 0)) refuse("--time-limit", time_limit_text, "above 0");
@@ -65,35 +90,47 @@ void BenchOptions::parse() {
         check_target(chart);
     }
     if (!json.empty()) check_target(json);
+    check_apart({chart, json});
 }
 
-/// INPUT itself in each of the modes, or what the scene file says.
-std::vector<SceneWords> BenchOptions::scenes() const {
-    if (std::filesystem::path(input.input).extension() == ".json") {
-        const char* environment = std::getenv("LACUNA_DATA");
-        std::vector<SceneWords> found = load_scenes(input.input, !data.empty() ? data : environment ? environment : "");
-        std::erase_if(found, [&](const SceneWords& s) { return s.name.find(only) == std::string::npos; });
-        if (found.empty()) refuse("--scene", only, "part of any scene's name in " + input.input);
-        return found;
-    }
-    std::vector<std::string> shared{input.input, "--size=" + size, "--elevation=20", "--zoom=1.5"};
+/// INPUT itself in each of the modes.
+std::vector<SceneWords> BenchOptions::scenes_of_input() const {
+    std::vector<std::string> shared{input.input, "--size=" + size.value_or("512x512"), "--elevation=20", "--zoom=1.5"};
     if (!input.open.raw.empty()) shared.push_back("--raw=" + input.open.raw);
     if (!input.open.series.empty()) shared.push_back("--series=" + input.open.series);
     if (!input.spacing_text.empty()) shared.push_back("--spacing=" + input.spacing_text);
     std::vector<SceneWords> made;
     const bool sample = input.input.starts_with("sample:");
     const std::string name = sample ? input.input.substr(7) : std::filesystem::path(input.input).filename().string();
-    std::string rest = modes;
+    std::string rest = modes.value_or("iso,ea,mip");
     while (!rest.empty()) {
         const std::size_t comma = rest.find(',');
         const std::string mode = rest.substr(0, comma);
         rest = comma == std::string::npos ? "" : rest.substr(comma + 1);
-        parse_view_mode(mode);
+        for_flag("--modes", [&] { return parse_view_mode(mode); });
         made.push_back({fmt::format("{}, {}", name, mode), shared});
         made.back().words.push_back("--mode=" + mode);
     }
-    if (made.empty()) refuse("--modes", modes, "a list of view modes");
+    if (made.empty()) refuse("--modes", "", "a list of view modes");
     return made;
+}
+
+/// INPUT itself in each of the modes, or what the scene file says.
+std::vector<SceneWords> BenchOptions::scenes() const {
+    std::vector<SceneWords> found;
+    if (from_file()) {
+        const char* environment = std::getenv("LACUNA_DATA");
+        found = load_scenes(input.input, !data.empty() ? data : environment ? environment : "");
+        std::erase_if(found, [&](const SceneWords& s) { return s.name.find(only) == std::string::npos; });
+        if (found.empty()) refuse("--scene", only, "part of any scene's name in " + input.input);
+    } else {
+        found = scenes_of_input();
+    }
+    for (SceneWords& scene : found) {
+        if (input.open.keep_gaps) scene.words.push_back("--keep-gaps");
+        if (!input.memory_limit_text.empty()) scene.words.push_back("--memory-limit=" + input.memory_limit_text);
+    }
+    return found;
 }
 
 int run_bench(BenchOptions& options, Console& console) {
@@ -127,6 +164,14 @@ int run_bench(BenchOptions& options, Console& console) {
             console.print(sweep_table(results.back()) + "\n");
         }
     }
+    const auto measured = [](const SceneResult& result) {
+        return std::any_of(result.points.begin(), result.points.end(),
+                           [](const SweepPoint& point) { return point.refused.empty(); });
+    };
+    if (std::none_of(results.begin(), results.end(), measured))
+        throw Error(Errc::unsupported, options.quick || options.time_limit_s > 0
+                                           ? "No plan was measured in the time set; raise --time-limit."
+                                           : "No plan was measured: " + results.front().points.front().refused);
     if (!options.json.empty()) write_file(options.json, sweep_json(engine.device_name(), results, sweeping.front));
     if (!options.chart.empty()) save(sweep_chart(engine.device_name(), results, sweeping.front), options.chart);
     return 0;

@@ -63,6 +63,7 @@ SceneWords scene_from(const json& scene, const std::string& file, const std::fil
         if (!is_scene_flag(key))
             refuse_file(where, fmt::format("a scene has no key \"{}\"; it has name, input, views, {}.", key,
                                            fmt::join(k_scene_flags, ", ")));
+        if (value.is_array() && value.empty()) refuse_file(where, fmt::format("\"{}\" is an empty list.", key));
         for (const json& one : value.is_array() ? value : json::array({value})) {
             std::string text = text_of(where, key, one);
             if (key == "tf") text = placed_tf(text, folder);

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <new>
+#include <set>
 
 #include "app/command.h"
 
@@ -11,14 +12,22 @@ namespace lacuna::cli {
 
 namespace {
 
-/// Joins "--flag -5" to "--flag=-5", so that a negative value is never taken for a flag.
-std::vector<std::string> join_negative_values(int argc, char** argv) {
+/// "--name" of every flag that takes no value, of all subcommands.
+void collect_switches(const CLI::App& app, std::set<std::string>& switches) {
+    for (const CLI::Option* option : app.get_options())
+        if (option->get_expected_max() == 0)
+            for (const std::string& name : option->get_lnames()) switches.insert("--" + name);
+    for (const CLI::App* command : app.get_subcommands({})) collect_switches(*command, switches);
+}
+
+/// Joins "--flag -5" to "--flag=-5", so that a negative value is never taken for a flag. A switch has no value.
+std::vector<std::string> join_negative_values(int argc, char** argv, const std::set<std::string>& switches) {
     std::vector<std::string> words;
     for (int i = 1; i < argc; ++i) {
         const std::string word = argv[i];
         const bool negative = word.size() > 1 && word[0] == '-' && (std::isdigit(word[1]) || word[1] == '.');
         const bool after_flag = !words.empty() && words.back().starts_with("--") && words.back().size() > 2 &&
-                                words.back().find('=') == std::string::npos;
+                                words.back().find('=') == std::string::npos && !switches.count(words.back());
         if (negative && after_flag)
             words.back() += "=" + word;
         else
@@ -105,7 +114,9 @@ int run(int argc, char** argv) {
     for (CLI::App* command : app.get_subcommands({}))
         command->add_flag("-q,--quiet", console.quiet, "no progress, no notes");
 
-    std::vector<std::string> words = join_negative_values(argc, argv);
+    std::set<std::string> switches;
+    collect_switches(app, switches);
+    std::vector<std::string> words = join_negative_values(argc, argv, switches);
     std::reverse(words.begin(), words.end());  // what CLI11 asks for
     try {
         app.parse(std::move(words));

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <thread>
 
 namespace lacuna::cli {
@@ -110,6 +111,18 @@ void check_target(const std::filesystem::path& target) {
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
         throw Error(Errc::io,
                     "Cannot write " + target.string() + ": no permission to write in " + folder.string() + ".");
+}
+
+void check_apart(const std::vector<std::filesystem::path>& targets) {
+    namespace fs = std::filesystem;
+    std::set<fs::path> places;
+    for (const fs::path& target : targets) {
+        if (target.empty()) continue;
+        std::error_code ec;
+        const fs::path place = fs::weakly_canonical(target, ec);
+        if (!places.insert(ec ? target.lexically_normal() : place).second)
+            throw Error(Errc::bad_usage, "Two results would go into " + target.string() + "; name two files.");
+    }
 }
 
 }  // namespace lacuna::cli

@@ -41,5 +41,8 @@ private:
 /// Refuses a target that could not be written in the end, before hours of work: its folder must exist and take new
 /// files, and what already has its name must be a plain file. @throws Error(io)
 void check_target(const std::filesystem::path& target);
+/// Refuses two results in one file, of which only the last would be left. @param targets  empty ones are none
+/// @throws Error(bad_usage)
+void check_apart(const std::vector<std::filesystem::path>& targets);
 
 }  // namespace lacuna::cli

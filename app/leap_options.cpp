@@ -38,6 +38,14 @@ void LeapWords::parse() {
     if (min_voxels_word_) leap_.min_voxels = parse_integer("--leap-min-voxels", *min_voxels_word_, 1, INT64_MAX);
 }
 
+const char* LeapWords::given() const {
+    return kernel_word_       ? "--leaping"
+           : values_word_     ? "--leap-values"
+           : quantise_word_   ? "--leap-quantise"
+           : min_voxels_word_ ? "--leap-min-voxels"
+                              : nullptr;
+}
+
 void LeapWords::apply(Plan& plan) const {
     plan.leap = leap_;
     if (kernel_word_) plan.why.push_back("--leaping as asked for");

@@ -14,6 +14,8 @@ public:
     void add_to(CLI::App& command);
     /// @throws Error(bad_usage) for a word that means nothing
     void parse();
+    /// The first flag given; null: none was.
+    const char* given() const;
     /// Puts what was said into a plan, with its reasons. @pre parse() was called
     void apply(Plan& plan) const;
 

@@ -66,6 +66,7 @@ RegionOptions parse_options(const RegionsWords& words) {
 void check_targets(const RegionsWords& words) {
     for (const std::string* target : {&words.labels, &words.json, &words.csv})
         if (!target->empty()) check_target(*target);
+    check_apart({words.labels, words.json, words.csv});
     if (!words.labels.empty() && !words.labels.ends_with(".nrrd"))
         refuse("--labels", words.labels, "a .nrrd file, the one kind of label volume written");
     if (words.mesh_folder.empty()) return;

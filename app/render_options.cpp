@@ -141,8 +141,11 @@ void RenderOptions::parse_camera() {
     camera_.zoom = optional_number("--zoom", words_.zoom).value_or(camera_.zoom);
     camera_.fov_deg = optional_number("--perspective", words_.perspective);
     if (!(camera_.zoom > 0)) refuse("--zoom", *words_.zoom, "above 0");
-    if (camera_.fov_deg && !(*camera_.fov_deg > 0 && *camera_.fov_deg < 180))
-        refuse("--perspective", *words_.perspective, "between 0 and 180 degrees");
+    // Rays of smaller fields start so far away that single precision loses the volume; they are parallel to the eye.
+    constexpr double k_least_fov_deg = 0.01;
+    if (camera_.fov_deg && !(*camera_.fov_deg >= k_least_fov_deg && *camera_.fov_deg < 180))
+        refuse("--perspective", *words_.perspective,
+               fmt::format("from {:g} to below 180 degrees; parallel rays need no --perspective", k_least_fov_deg));
     if (words_.center) {
         const std::vector<double> v = parse_numbers("--center", *words_.center, 3);
         camera_.center_mm = glm::dvec3(v[0], v[1], v[2]);
@@ -211,6 +214,7 @@ void RenderOptions::refuse_plan_words(const std::string& with) const {
           std::pair("--homogeneity", &words_.homogeneity), std::pair("--brick", &words_.brick),
           std::pair("--gradient", &words_.gradient), std::pair("--integration", &words_.integration)})
         if (*word) throw Error(Errc::bad_usage, fmt::format("{} does not go with {}.", flag, with));
+    if (leap.given()) throw Error(Errc::bad_usage, fmt::format("{} does not go with {}.", leap.given(), with));
 }
 
 void RenderOptions::parse_budget() {
@@ -259,6 +263,12 @@ void RenderOptions::check_combinations() const {
     const std::string extension = std::filesystem::path(output).extension().string();
     if (!extension.empty() && extension != ".png" && extension != ".PNG")
         refuse("-o", output, "a .png file, the one kind of picture written");
+    const std::string map_extension = std::filesystem::path(verify_map).extension().string();
+    if (!map_extension.empty() && map_extension != ".png" && map_extension != ".PNG")
+        refuse("--verify-map", verify_map, "a .png file, the one kind of picture written");
+    if (verify_against == Truth::closed_form && input.smooth_mm > 0)
+        throw Error(Errc::bad_usage,
+                    "--smooth does not go with --verify-against closed-form, which is that of the sample as it is.");
 }
 
 /// Checks scene and plan on a tiny volume, so that no wrong word is found only after a long read.
@@ -270,7 +280,10 @@ void RenderOptions::rehearse() const {
     });
     const Scene trial = scene(tiny, compute_statistics(tiny));
     lacuna::check(trial);
-    lacuna::check(plan(trial), trial);
+    const Plan planned = plan(trial);
+    lacuna::check(planned, trial);
+    if (leap.given() && planned.structure != Structure::leap)
+        throw Error(Errc::bad_usage, fmt::format("{} goes with --structure leap.", leap.given()));
 }
 
 void RenderOptions::parse() {

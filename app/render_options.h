@@ -39,6 +39,10 @@ public:
     Scene scene(const Volume& volume, const VolumeStatistics& statistics) const;
     /// --error-budget and --time-budget: how is the planner's choice then. @pre parse() was called
     std::optional<Budget> budget() const;
+    /// The difference in 1/255 from which a pixel counts as wrong: --error-budget, else one level.
+    double error_allowed() const { return error_budget_.value_or(1); }
+    /// Flags that say nothing in this call, for a note. @pre parse() was called
+    std::vector<std::string> without_effect(const Plan& plan) const;
     /// How: the default plan with what was asked for. @pre parse() was called
     Plan plan(const Scene& scene) const;
     /// OUT.png, or OUT-007.png for frame 7 of a turntable.

@@ -101,6 +101,7 @@ std::string stats_json(const Scene& scene, const Plan& plan, const RenderRecord&
     if (record.projection)
         json["error"]["projection"] = {{"max_undershoot", record.projection->max_undershoot},
                                        {"mean_undershoot", record.projection->mean_undershoot},
+                                       {"max_overshoot", record.projection->max_overshoot},
                                        {"pixels", record.projection->pixels}};
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
@@ -108,14 +109,14 @@ std::string stats_json(const Scene& scene, const Plan& plan, const RenderRecord&
 std::string error_text(const RenderRecord& record) {
     const ImageError& error = *record.error;
     std::string text = fmt::format(
-        "max error {:.3g}/255, mean {:.3g}/255, PSNR {:.1f} dB, SSIM {:.5f}, FLIP {:.2g}, {} pixels over 1/255",
-        error.max, error.mean, error.psnr, error.ssim, error.flip, error.pixels_over_budget);
+        "max error {:.3g}/255, mean {:.3g}/255, PSNR {:.1f} dB, SSIM {:.5f}, FLIP {:.2g}, {} pixels over {:g}/255",
+        error.max, error.mean, error.psnr, error.ssim, error.flip, error.pixels_over_budget, record.error_allowed);
     if (const auto& surface = record.surface)
         text += fmt::format("; depth max {:.3g}, mean {:.2g} voxels, {} silhouette pixels missed, {} false",
                             surface->max_voxels, surface->mean_voxels, surface->missed, surface->false_hits);
     if (const auto& projection = record.projection)
-        text += fmt::format("; values at most {:.3g} short, {:.2g} on average", projection->max_undershoot,
-                            projection->mean_undershoot);
+        text += fmt::format("; values at most {:.3g} short, {:.2g} on average, at most {:.3g} beyond",
+                            projection->max_undershoot, projection->mean_undershoot, projection->max_overshoot);
     return text;
 }
 

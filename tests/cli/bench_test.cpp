@@ -158,6 +158,37 @@ TEST_F(Bench, WrongWordsAndFilesAreNamed) {
     EXPECT_EQ(files(), std::vector<std::string>{"s.json"});
 }
 
+TEST_F(Bench, WordsWithoutUseAreRefused) {
+    write(path("s.json"), R"({"scenes":[{"name":"a","input":"sample:head@16","mode":"mip"}]})");
+    const auto of_file = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"bench", path("s.json"), "--list"});
+        return lacuna(more);
+    };
+    EXPECT_EQ(of_file({}).status, 0);
+    for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
+             {"--modes", "ea"}, {"--size", "8x8"}, {"--raw", "8x8x8:u8"}, {"--series", "1"}, {"--spacing", "1,1,2"}})
+        expect_failure(of_file(more), 2, more[0]);
+    expect_failure(lacuna({"bench", "sample:head@16", "--list", "--scene", "a"}), 2, "--scene");
+    expect_failure(lacuna({"bench", "sample:head@16", "--list", "--data", "."}), 2, "--data");
+    expect_failure(lacuna({"bench", "sample:head@16", "--list", "--modes", ""}), 2, "--modes");
+    write(path("s.json"), R"({"scenes":[{"name":"a","input":"sample:head@16","zoom":[]}]})");
+    expect_failure(of_file({}), 1, "zoom");
+}
+
+TEST_F(Bench, HowAnInputIsOpenedReachesItsScenes) {
+    const Outcome listed = lacuna({"bench", "folder", "--list", "--keep-gaps", "--modes", "mip"});
+    EXPECT_NE(listed.out.find("--keep-gaps"), std::string::npos) << listed.out;
+    expect_failure(lacuna({"bench", "sample:spheres@128", "--quick", "--modes", "mip", "--memory-limit", "1"}), 1,
+                   "--memory-limit");
+}
+
+TEST_F(Bench, NothingMeasuredIsNoResult) {
+    const Outcome outcome = lacuna({"bench", "sample:head@16", "--quick", "--modes", "mip", "--size", "16x16",
+                                    "--time-limit", "1e-9", "--quiet", "--json", path("b.json")});
+    expect_failure(outcome, 1, "--time-limit");
+    EXPECT_TRUE(files().empty());
+}
+
 TEST_F(Bench, InterruptedItLeavesNothing) {
     Surroundings interrupted;
     interrupted.signal = 2;
@@ -186,8 +217,30 @@ TEST_F(Bench, VerifyingAgainstOtherTruths) {
     const Outcome closed = with({"--verify-against", "closed-form", "--iso", "110"});
     EXPECT_EQ(closed.status, 0) << closed.err;
     expect_failure(with({"--verify-against", "better"}), 2, "--verify-against");
+    expect_failure(with({"--verify-against", "closed-form", "--smooth", "3"}), 2, "--smooth");
+    expect_failure(with({"--verify-against", "closed-form", "--regions", "hide"}), 1, "regions");
     expect_failure(lacuna({"render", "x.mhd", "-o", path("b.png"), "--verify-against", "closed-form"}), 2,
                    "sample:NAME");
+}
+
+TEST_F(Bench, PixelsOverTheBudgetAreCountedAgainstTheBudget) {
+    const std::vector<std::string> scene{"render", "sample:head@24", "-o", path("a.png"), "--size", "60x50"};
+    const auto over = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), scene.begin(), scene.end());
+        more.insert(more.end(), {"--mode", "mip", "--verify", "--stats", path("s.json")});
+        const Outcome outcome = lacuna(more);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        const json error = json::parse(bytes_of(path("s.json")))["error"];
+        const std::string budget = more[6] == "--error-budget" ? more[7] : "1";
+        EXPECT_NE(outcome.out.find(" pixels over " + budget + "/255"), std::string::npos) << outcome.out;
+        EXPECT_EQ(error["pixels_over_budget"] > 0, error["max"] > std::stod(budget)) << error;
+        return error;
+    };
+    EXPECT_GT(over({"--sampler", "nearest"})["pixels_over_budget"], 0);
+    const json nearest = over({"--sampler", "nearest"});
+    EXPECT_GT(nearest["projection"]["max_overshoot"], 0) << "a voxel is brighter than what lies beside it";
+    over({"--error-budget", "160"});
+    over({"--error-budget", "250"});
 }
 
 }  // namespace

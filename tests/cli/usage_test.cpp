@@ -61,11 +61,11 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         BadWord{"--iso", "12x"}, BadWord{"--iso", "nan"}, BadWord{"--iso", "1e999"}, BadWord{"--iso", "1,5"},
         BadWord{"--iso", "0x10"}, BadWord{"--azimuth", "inf"}, BadWord{"--zoom", "0"}, BadWord{"--zoom", "-1"},
-        BadWord{"--perspective", "180"}, BadWord{"--perspective", "-5"}, BadWord{"--size", "512"},
-        BadWord{"--size", "0x5"}, BadWord{"--size", "20000x20"}, BadWord{"--size", "64x64x64"},
-        BadWord{"--center", "1,2"}, BadWord{"--center", "1,2,three"}, BadWord{"--range", "300,-200"},
-        BadWord{"--range", "1;2"}, BadWord{"--range", "1,2,3"}, BadWord{"--cut", "1,0,0"},
-        BadWord{"--cut", "1,0,0,2:shut"}, BadWord{"--step", "0"}, BadWord{"--step", "-0.5"},
+        BadWord{"--perspective", "180"}, BadWord{"--perspective", "-5"}, BadWord{"--perspective", "1e-6"},
+        BadWord{"--size", "512"}, BadWord{"--size", "0x5"}, BadWord{"--size", "20000x20"},
+        BadWord{"--size", "64x64x64"}, BadWord{"--center", "1,2"}, BadWord{"--center", "1,2,three"},
+        BadWord{"--range", "300,-200"}, BadWord{"--range", "1;2"}, BadWord{"--range", "1,2,3"},
+        BadWord{"--cut", "1,0,0"}, BadWord{"--cut", "1,0,0,2:shut"}, BadWord{"--step", "0"}, BadWord{"--step", "-0.5"},
         BadWord{"--sampler", "cubic"}, BadWord{"--gradient", "scharr"}, BadWord{"--gradient", "sobel,central"},
         BadWord{"--gradient", "stored,"}, BadWord{"--integration", "guess"}, BadWord{"--smooth", "0"},
         BadWord{"--smooth", "-1"}, BadWord{"--smooth", "nan"}, BadWord{"--sparse", "0"}, BadWord{"--sparse", "-2"},
@@ -126,6 +126,57 @@ TEST_F(Usage, FlagsThatDoNotGoTogether) {
                    "--threshold");
     expect_failure(lacuna({"render", "sample:head@16", "-o", path("a.jpg")}), 2, "a.jpg");
     EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Usage, OneFileTakesOneResult) {
+    const auto render = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"render", "sample:head@16", "-o", path("a.png")});
+        return lacuna(words);
+    };
+    expect_failure(render({"--stats", path("a.png")}), 2, "a.png");
+    expect_failure(render({"--verify-map", path("./a.png")}), 2, "a.png");
+    expect_failure(render({"--verify-map", path("m.png"), "--stats", path("m.png")}), 2, "m.png");
+    expect_failure(render({"--turntable", "3", "--stats", path("a-001.png")}), 2, "a-001.png");
+    expect_failure(render({"--verify-map", path("m.jpg")}), 2, "m.jpg");
+    expect_failure(lacuna({"bench", "sample:head@16", "--json", path("b.svg"), "--chart", path("b.svg")}), 2, "b.svg");
+    expect_failure(lacuna({"regions", "sample:head@16", "--threshold", "0,1", "--json", path("r"), "--csv", path("r")}),
+                   2, "/r");
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Usage, SwitchesTakeNoValue) {
+    expect_failure(lacuna({"render", "sample:head@16", "-o", path("a.png"), "--verify", "-5"}), 2, "-5");
+    expect_failure(lacuna({"bench", "sample:head@16", "--list", "--quick", "-0.5"}), 2, "-0.5");
+    EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Usage, LeapingIsToldToLeapAlone) {
+    const auto render = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"render", "sample:head@16", "-o", path("a.png"), "--shading", "none"});
+        return lacuna(words);
+    };
+    expect_failure(render({"--leaping", "published"}), 2, "--leaping goes with --structure leap");
+    expect_failure(render({"--structure", "octree", "--leap-min-voxels", "9"}), 2, "--leap-min-voxels");
+    expect_failure(render({"--error-budget", "1", "--leaping", "published"}), 2, "budget");
+    expect_failure(render({"--plan", R"({"structure":"leap"})", "--leap-values", "kd-tree"}), 2, "--plan");
+    EXPECT_TRUE(files().empty());
+    EXPECT_EQ(render({"--structure", "leap", "--leaping", "published"}).status, 0);
+}
+
+TEST_F(Usage, WordsWithoutEffectAreNamed) {
+    const auto render = [&](std::vector<std::string> words) {
+        words.insert(words.begin(), {"render", "sample:head@16", "-o", path("a.png"), "--size", "16x16"});
+        return lacuna(words);
+    };
+    const Outcome idle = render({"--mode", "mip", "--iso", "5", "--refine", "newton", "--cells", "4", "--ert", "0.1"});
+    EXPECT_EQ(idle.status, 0);
+    EXPECT_EQ(idle.err,
+              "lacuna: without effect in mode mip by structure macrocells: --iso, --refine, --ert, --cells\n");
+    EXPECT_EQ(render({"--mode", "mip", "--ert", "0", "--structure", "none", "--sampler", "linear"}).err, "");
+    EXPECT_EQ(render({"--mode", "iso", "--iso", "5", "--refine", "newton", "--cells", "4"}).err, "");
+    EXPECT_EQ(render({"--mode", "ea", "--homogeneity", "0.1", "--structure", "octree", "--ert", "0.1"}).err, "");
+    EXPECT_NE(render({"--homogeneity", "0.1", "--structure", "macrocells"}).err.find("--homogeneity"),
+              std::string::npos);
 }
 
 TEST_F(Usage, NegativeValuesAreValuesNotFlags) {
