@@ -246,6 +246,23 @@ TEST_F(ShellTest, FitsASmallScreenWithNothingOverAnother) {
     window->bench()->tasks()->end(window->bench()->tasks()->rows().back().id);
 }
 
+TEST_F(ShellTest, APanelComesBackAtItsHeight) {
+    open(k_casting);
+    QDockWidget* dock = window->inspection()->dock();
+    dock->raise();
+    window->resizeDocks({dock}, {250}, Qt::Vertical);
+    QApplication::processEvents();
+    const int height = dock->height();
+    EXPECT_NEAR(height, 250, 40);  // the tabs take some of it
+    window->close();
+    SetUp();
+    open(k_casting);
+    dock = window->inspection()->dock();
+    dock->raise();
+    QApplication::processEvents();
+    EXPECT_NEAR(dock->height(), height, 10);
+}
+
 TEST_F(ShellTest, TheLayoutIsRememberedAndReset) {
     open(k_casting);
     QTest::keyClick(window.get(), Qt::Key_F6);

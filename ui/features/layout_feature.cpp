@@ -59,6 +59,8 @@ LayoutFeature::LayoutFeature(Workbench& bench) : QObject(&bench), bench_(bench),
         if (auto* scene = window->findChild<QDockWidget*>(QStringLiteral("scene")))
             window->resizeDocks({scene}, {k_scene_width}, Qt::Horizontal);
         fit_panels_below(window);
+    } else {
+        window->restoreState(preferences::window_state());  // the panels' sizes are those within this size
     }
     bench.window()->installEventFilter(this);
 }
