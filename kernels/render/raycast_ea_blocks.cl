@@ -1,6 +1,7 @@
 // Emission-absorption ray casting of whole-number voxels, a group of 16x16 pixels a work-item: raycast_ea.cl's
 // pictures, with the samples of its marching loop, and their gradients, from blocks (block.clh). Buffers as there, but
 // `lut` has red, green, blue and opacity an entry.
+#define LACUNA_ALIGNED 1
 #include "shared/ray_params.h"
 #include "include/packet.clh"
 #include "include/volume.clh"
@@ -205,7 +206,7 @@ kernel void raycast_ea_blocks(global const voxel_t* restrict volume, constant Ra
         }
         for (int part = 0; part < GROUP_PARTS && wanted; ++part) {
             const uint together = wanted & packets_of_part(part);
-            const int filled = in_slabs && together && fill_slab(volume, p, g, together, apron, entries, &block);
+            const int filled = in_slabs && together ? fill_slab(volume, p, g, together, apron, entries, &block) : 0;
             if (in_slabs && part == 0 && !filled) continue;
             COUNT(copied += filled;)
             wanted &= ~together;

@@ -147,7 +147,7 @@ kernel void raycast_mip(global const voxel_t* restrict volume, constant RayParam
     c.x = found ? c.x : zero;
     c.y = found ? c.y : zero;
     c.z = found ? c.z : zero;
-    VF depth = fma(TO_FLOAT(best_at), (VF)(p->step_mm), r.t0_mm) + p->depth_bias_mm;
+    VF depth = depth_at(p, &r, TO_FLOAT(best_at)) + p->depth_bias_mm;
     depth = (found & (VI)(LACUNA_PROJECTION == MEAN ? 0 : -1)) ? depth : (VF)(INFINITY);
     store_packet(p, out_color, out_depth, x0, y0, c, found ? (VF)(1.0f) : zero, depth);
     STORE_COUNTERS(p, x0, y0, sum_lanes(counted(r.hits_box)), samples, skipped, reads);

@@ -2,6 +2,7 @@
 // raycast_mip.cl's pictures, from blocks (block.clh). With min-max macro-cells (LACUNA_STRUCTURE 1, else none) a slab
 // is bounded by the cells around all the group's rays at once, by scalar arithmetic, and left out by the packets that
 // cannot win there. The most promising slab is sampled first, so that what lies before it can be left out too.
+#define LACUNA_ALIGNED 1
 #include "shared/ray_params.h"
 #include "include/packet.clh"
 #include "include/volume.clh"
@@ -33,18 +34,18 @@ typedef struct {
 } Found;
 
 /// The best value that the samples of a slab can have; -INFINITY where none can count.
-INLINE float slab_bound(constant RayParams* p, Structure s, const Group* t, int slab, int* reads) {
+INLINE float slab_bound(constant RayParams* p, Structure s, const Group* g, int slab, int* reads) {
 #if LACUNA_STRUCTURE == 1
     float4 lo, hi;
-    slab_box(t, slab, &lo, &hi);
+    slab_box(g, slab, &lo, &hi);
     const float4 zero = (float4)(0.0f), last = (float4)(p->last[0], p->last[1], p->last[2], 0.0f);
-    const int4 a = convert_int4(clamp(lo, zero, last)) >> p->cell_shift;
-    const int4 b = convert_int4(clamp(hi, zero, last)) >> p->cell_shift;
+    const int4 from = convert_int4(clamp(lo, zero, last)) >> p->cell_shift;
+    const int4 to = convert_int4(clamp(hi, zero, last)) >> p->cell_shift;
     float bound = -INFINITY;
-    for (int z = a.z; z <= b.z; ++z)
-        for (int y = a.y; y <= b.y; ++y) {
+    for (int z = from.z; z <= to.z; ++z)
+        for (int y = from.y; y <= to.y; ++y) {
             const int row = (z * p->cells[1] + y) * p->cells[0];
-            for (int x = a.x; x <= b.x; ++x) {
+            for (int x = from.x; x <= to.x; ++x) {
 #if LACUNA_RANGES
                 if (s.cell_class[row + x] == CELL_NONE) continue;
 #endif
@@ -52,7 +53,7 @@ INLINE float slab_bound(constant RayParams* p, Structure s, const Group* t, int 
                 bound = value > bound ? value : bound;
             }
         }
-    *reads += (b.x - a.x + 1) * (b.y - a.y + 1) * (b.z - a.z + 1);
+    *reads += (to.x - from.x + 1) * (to.y - from.y + 1) * (to.z - from.z + 1);
     return bound;
 #else
     return INFINITY;
@@ -107,22 +108,25 @@ typedef struct {
     uint samples[GROUP_PACKETS], skipped[GROUP_PACKETS], copied;  // counted with LACUNA_COUNT
 } Search;
 
-/// Samples the present slab with the packets in `wanted`, a bit each, and leaves it behind with all.
+/// Samples the present slab with the packets in `wanted`, a bit each, and leaves it behind with all. Slab `ahead` is
+/// asked for meanwhile.
 INLINE void search_slab(global const voxel_t* volume, constant RayParams* p, Search* s, uint wanted, int in_slabs,
-                        ulong* entries) {
+                        ulong* entries, int ahead) {
     Group* g = &s->group;
     Block block;
     uint left = wanted;
     for (int part = 0; part < GROUP_PARTS && left; ++part) {
         const uint together = left & packets_of_part(part);
-        const int filled = in_slabs && together && fill_slab(volume, p, g, together, 0, entries, &block);
+        const int filled = in_slabs && together ? fill_slab(volume, p, g, together, 0, entries, &block) : 0;
         if (in_slabs && part == 0 && !filled) continue;
         COUNT(s->copied += filled;)
         left &= ~together;
-        for (int i = 0; i < GROUP_PACKETS; ++i)
+        for (int i = 0; i < GROUP_PACKETS; ++i) {
+            if (filled && part == 0 && ahead < g->slabs) fetch_slice(volume, p, g, ahead, i);
             if (together >> i & 1)
                 s->found[i] = best_between(volume, p, &g->rays[i], g->next[i], g->stop[i], filled ? entries : 0, &block,
                                            s->found[i]);
+        }
     }
     for (int i = 0; i < GROUP_PACKETS; ++i) {
 #if LACUNA_COUNT
@@ -173,7 +177,7 @@ kernel void raycast_mip_blocks(global const voxel_t* restrict volume, constant R
         uint wanted = 0;
         for (int i = 0; i < GROUP_PACKETS; ++i)
             wanted |= g->next[i] < g->stop[i] && bound[best_slab] > -INFINITY ? 1u << i : 0;
-        search_slab(volume, p, &search, wanted, in_slabs, entries);
+        search_slab(volume, p, &search, wanted, in_slabs, entries, 0);
         for (int i = 0; i < GROUP_PACKETS; ++i) {
             early[i] = search.found[i];
             need[i] = needed(&g->rays[i], early[i].best);
@@ -198,7 +202,7 @@ kernel void raycast_mip_blocks(global const voxel_t* restrict volume, constant R
                 const int can_win = slab < best_slab ? bound[slab] >= need[i] : bound[slab] > need[i];
                 wanted |= g->next[i] < g->stop[i] && bound[slab] > -INFINITY && can_win ? 1u << i : 0;
             }
-            search_slab(volume, p, &search, wanted, in_slabs, entries);
+            search_slab(volume, p, &search, wanted, in_slabs, entries, slab + 1);
         }
         if (slab >= best_slab)
             for (int i = 0; i < GROUP_PACKETS; ++i) need[i] = needed(&g->rays[i], search.found[i].best);
@@ -218,7 +222,7 @@ kernel void raycast_mip_blocks(global const voxel_t* restrict volume, constant R
         c.x = shown ? c.x : zero;
         c.y = shown ? c.y : zero;
         c.z = shown ? c.z : zero;
-        const VF depth = fma(search.found[i].at, (VF)(p->step_mm), r->t0_mm) + p->depth_bias_mm;
+        const VF depth = depth_at(p, r, search.found[i].at) + p->depth_bias_mm;
         const int x = x0 + GROUP_X(i), y = y0 + GROUP_Y(i);
         store_packet(p, out_color, out_depth, x, y, c, shown ? (VF)(1.0f) : zero, shown ? depth : (VF)(INFINITY));
         STORE_COUNTERS(p, x, y, sum_lanes(counted(r->hits_box)), search.samples[i], search.skipped[i],

@@ -158,9 +158,14 @@ TEST(BlocksOf, SamplesAreCopiedOnceForManyRays) {
         EXPECT_EQ(work.rays, plain.rays);
         EXPECT_EQ(work.samples + work.skipped, plain.samples + plain.skipped);
         if (mode == ViewMode::ea) {
-            EXPECT_EQ(work.samples, plain.samples);
+            // Other samples of neighbouring rays are asked about together.
+            EXPECT_NEAR(double(work.samples), double(plain.samples), 0.02 * double(plain.samples));
         }
     }
+    // Each cell at least once where every one is sampled.
+    const Scene whole = test::small_scene(head, ViewMode::mip, {128, 128});
+    const Counters work = with_blocks().render(whole, plan_of(Structure::none), {}, true).frame.counters;
+    EXPECT_GE(work.copied, 63u * 63u * 63u);
 }
 
 TEST(BlocksOf, WhatTheyDoNotServeIsDrawnWithoutThem) {
