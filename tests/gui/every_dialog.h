@@ -54,7 +54,7 @@ inline std::vector<DialogMaker> every_dialog(MainWindow& window, const QString& 
             write_dicom_series(volume, (series + QLatin1Char('/') + QLatin1String(name)).toStdString());
         }
     }
-    const PacsServer server{"Archive, ward 3", "pacs.example.org", 11112, "ARCHIVE", "LACUNA", 30, {}};
+    const PacsServer server{"Archive, ward 3", "pacs.example.org", 11112, "ARCHIVE", "LACUNA", 30, {}, {}};
     const auto wait_for = [](auto* dialog, auto signal) {
         QSignalSpy spy(dialog, signal);
         if (spy.count() == 0) spy.wait(20000);

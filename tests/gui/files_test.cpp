@@ -185,13 +185,13 @@ TEST_F(FilesTest, FaultsAreToldWithoutNamesWhilePatientsAreHidden) {
     };
     EXPECT_TRUE(fault(sound).contains(QStringLiteral("Doe")));
     preferences::set_hide_patient(true);
-    const QString hidden = fault(sound), folder = fault(QFileInfo(sound).path());
+    const QString hidden = fault(sound), of_folder = fault(QFileInfo(sound).path());
     preferences::set_hide_patient(false);
     EXPECT_TRUE(hidden.contains(QStringLiteral("cut"))) << hidden.toStdString();
     EXPECT_FALSE(hidden.contains(QStringLiteral("Doe"))) << hidden.toStdString();
-    EXPECT_TRUE(folder.contains(QStringLiteral("no DICOM images"))) << folder.toStdString();
-    EXPECT_FALSE(folder.contains(QStringLiteral("Doe"))) << folder.toStdString();
-    EXPECT_FALSE(folder.contains(QFileInfo(sound).path())) << folder.toStdString();
+    EXPECT_TRUE(of_folder.contains(QStringLiteral("no DICOM images"))) << of_folder.toStdString();
+    EXPECT_FALSE(of_folder.contains(QStringLiteral("Doe"))) << of_folder.toStdString();
+    EXPECT_FALSE(of_folder.contains(QFileInfo(sound).path())) << of_folder.toStdString();
 }
 
 TEST_F(FilesTest, NamesLeaveASentenceWhole) {
