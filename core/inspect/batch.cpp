@@ -8,6 +8,7 @@
 #include <exception>
 #include <mutex>
 #include <new>
+#include <system_error>
 #include <thread>
 
 #include "core/base/atomic_file.h"
@@ -55,9 +56,13 @@ public:
         finished_ = planned.size() - open.size();
         total_ = planned.size();
         const std::size_t threads = std::min(open.size(), std::size_t(std::max(1, options_.jobs)));
-        std::vector<std::jthread> workers;
-        for (std::size_t t = 0; t < threads; ++t) workers.emplace_back([&] { work(open); });
-        workers.clear();  // joins
+        std::vector<std::jthread> helpers;
+        try {
+            for (std::size_t t = 1; t < threads; ++t) helpers.emplace_back([&] { work(open); });
+        } catch (const std::system_error&) {  // the system has no more threads to give: those there are do it all
+        }
+        if (threads > 0) work(open);
+        helpers.clear();  // joins
         if (fault_) std::rethrow_exception(fault_);
     }
 

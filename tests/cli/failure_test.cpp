@@ -39,10 +39,10 @@ TEST_F(Failure, BrokenTransferFunctionFile) {
 }
 
 TEST_F(Failure, TargetsThatCannotBeWrittenAreRefusedBeforeTheWork) {
-    // A volume this large takes seconds to make: the refusal must come before.
-    const Outcome outcome = lacuna({"render", "sample:casting@512", "-o", path("missing/a.png")});
+    // A volume this large takes half a minute to make: the refusal must come before.
+    const Outcome outcome = lacuna({"render", "sample:casting@1024", "-o", path("missing/a.png")});
     expect_failure(outcome, 1, "missing");
-    EXPECT_LT(outcome.seconds, 2);
+    EXPECT_LT(outcome.seconds, 10);
     fs::create_directory(path("folder.png"));
     expect_failure(lacuna({"render", "sample:casting@512", "-o", path("folder.png")}), 1, "folder.png");
     expect_failure(lacuna({"render", "sample:casting@512", "-o", path("a.png"), "--stats", path("missing/s.json")}), 1,

@@ -172,7 +172,7 @@ TEST_F(PacsMove, KeepsWhatCameOfAServerThatFailsOrFallsSilent) {
     EXPECT_NE(got.fault.find("A702"), std::string::npos) << got.fault;
     std::filesystem::remove_all(folder / "out");
 
-    server.timeout_s = 1;
+    server.timeout_s = 3;
     peer.on_move = [&](const std::string&) -> std::optional<Uint16> {
         EXPECT_EQ(send(0, 2).done, 2);
         while (!over) std::this_thread::sleep_for(std::chrono::milliseconds(10));
