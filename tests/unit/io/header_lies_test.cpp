@@ -1,10 +1,9 @@
-#include <nifti1.h>
 #include <zlib.h>
 
 #include <cstring>
 
 #include "core/io/volume_writer.h"
-#include "volume_fixture.h"
+#include "nifti_fixture.h"
 
 // Headers of MetaImage, NRRD and NIfTI that contradict their data or themselves, or say something in a way that the
 // image library passes over: what is opened has every voxel right, and where it should be, or is not opened.
@@ -12,11 +11,6 @@ using namespace lacuna;
 using namespace lacuna::test;
 
 namespace {
-
-Volume open_text(const ScratchFolder& folder, const std::string& name, const std::string& bytes) {
-    put_file(folder / name, bytes);
-    return open_volume((folder / name).string());
-}
 
 /// A thousand bytes that differ, and what they are packed.
 std::string thousand() {
@@ -48,25 +42,11 @@ void expect_bytes(const Volume& volume, const std::string& bytes) {
     EXPECT_EQ(std::memcmp(volume.data(), bytes.data(), bytes.size()), 0);
 }
 
-/// 2x2x2 voxels of 2 mm.
+/// 2x2x2 voxels.
 nifti_1_header nifti(short datatype, short bits) {
-    nifti_1_header h{};
-    h.sizeof_hdr = 348;
-    h.dim[0] = 3;
-    for (int a = 1; a < 8; ++a) h.dim[a] = a < 4 ? 2 : 1;
-    h.pixdim[0] = 1;
-    h.pixdim[1] = h.pixdim[2] = h.pixdim[3] = 2;
-    h.datatype = datatype;
-    h.bitpix = bits;
-    h.vox_offset = 352;
-    h.xyzt_units = NIFTI_UNITS_MM;
+    nifti_1_header h = nifti_header(datatype, bits, 2, 2, 2);
     h.qform_code = 1;
-    std::memcpy(h.magic, "n+1", 4);
     return h;
-}
-
-std::string nifti_file(const nifti_1_header& h, const std::string& data) {
-    return std::string(reinterpret_cast<const char*>(&h), sizeof h) + std::string(4, '\0') + data;
 }
 
 }  // namespace

@@ -1,13 +1,12 @@
 #include "core/io/itk_reader.h"
 
-#include <nifti1.h>
 #include <zlib.h>
 
 #include <cstring>
 
 #include "core/io/volume_writer.h"
+#include "nifti_fixture.h"
 #include "tests/support/test_data.h"
-#include "volume_fixture.h"
 
 using namespace lacuna;
 using namespace lacuna::test;
@@ -25,32 +24,13 @@ std::string mha(const std::string& type, const std::string& size, const std::str
            "DimSize = " + size + "\nElementType = " + type + "\nElementDataFile = LOCAL\n" + data;
 }
 
-Volume open_text(const ScratchFolder& folder, const std::string& name, const std::string& bytes) {
-    put_file(folder / name, bytes);
-    return open_volume((folder / name).string());
-}
-
-nifti_1_header nifti_header(short datatype, short bits, short x, short y, short z) {
-    nifti_1_header h{};
-    h.sizeof_hdr = 348;
-    h.dim[0] = 3;
-    h.dim[1] = x, h.dim[2] = y, h.dim[3] = z;
-    for (int a = 4; a < 8; ++a) h.dim[a] = 1;
-    h.pixdim[0] = 1;
-    h.pixdim[1] = h.pixdim[2] = h.pixdim[3] = 2;
-    h.datatype = datatype;
-    h.bitpix = bits;
-    h.vox_offset = 352;
-    h.xyzt_units = NIFTI_UNITS_MM;
+/// Voxels of 2 mm, the first at (10, 20, 30).
+nifti_1_header placed_header(short datatype, short bits, short x, short y, short z) {
+    nifti_1_header h = nifti_header(datatype, bits, x, y, z);
     h.sform_code = 1;
     h.srow_x[0] = h.srow_y[1] = h.srow_z[2] = 2;
     h.srow_x[3] = 10, h.srow_y[3] = 20, h.srow_z[3] = 30;
-    std::memcpy(h.magic, "n+1", 4);
     return h;
-}
-
-std::string nifti_file(const nifti_1_header& h, const std::string& data) {
-    return std::string(reinterpret_cast<const char*>(&h), sizeof h) + std::string(4, '\0') + data;
 }
 
 }  // namespace
@@ -96,7 +76,7 @@ TEST(ItkReader, SpacingThatIsNotPositiveIsRefusedByName) {
         });
     }
     for (const float s : {0.0f, -2.0f, NAN}) {
-        nifti_1_header h = nifti_header(DT_UINT8, 8, 2, 1, 1);
+        nifti_1_header h = placed_header(DT_UINT8, 8, 2, 1, 1);
         h.pixdim[2] = s;
         expect_error(Errc::bad_input, {"v.nii", "pixdim[2]"}, [&] { open_text(f, "v.nii", nifti_file(h, "ab")); });
     }
@@ -136,8 +116,8 @@ TEST(ItkReader, VectorsColoursAndTimeSeriesAreRefused) {
                   "encoding: raw\n\nabcdef");
     });
     expect_error(Errc::unsupported, {"v.nii"},
-                 [&] { open_text(f, "v.nii", nifti_file(nifti_header(DT_RGB24, 24, 2, 1, 1), "aabbcc")); });
-    nifti_1_header time = nifti_header(DT_UINT8, 8, 2, 1, 1);
+                 [&] { open_text(f, "v.nii", nifti_file(placed_header(DT_RGB24, 24, 2, 1, 1), "aabbcc")); });
+    nifti_1_header time = placed_header(DT_UINT8, 8, 2, 1, 1);
     time.dim[0] = 4, time.dim[4] = 3, time.pixdim[4] = 1;
     expect_error(Errc::unsupported, {"3 volumes"}, [&] { open_text(f, "v.nii", nifti_file(time, "aabbcc")); });
 }
@@ -158,7 +138,7 @@ TEST(ItkReader, APlaneIsAVolumeOfOneSlice) {
 TEST(ItkReader, NiftiIsTurnedFromRasToLps) {
     const ScratchFolder f;
     const Volume v =
-        open_text(f, "v.nii", nifti_file(nifti_header(DT_INT16, 16, 2, 1, 2), bytes_of<std::int16_t>({1, -2, 3, 4})));
+        open_text(f, "v.nii", nifti_file(placed_header(DT_INT16, 16, 2, 1, 2), bytes_of<std::int16_t>({1, -2, 3, 4})));
     const glm::dvec3 at = v.geometry().voxel_to_mm({1, 0, 1});  // RAS (12, 20, 32)
     EXPECT_NEAR(at.x, -12, 1e-9);
     EXPECT_NEAR(at.y, -20, 1e-9);
@@ -168,7 +148,7 @@ TEST(ItkReader, NiftiIsTurnedFromRasToLps) {
 
 TEST(ItkReader, NiftiScalingIsAppliedAndAbsentScalingIgnored) {
     const ScratchFolder f;
-    nifti_1_header h = nifti_header(DT_UINT16, 16, 3, 1, 1);
+    nifti_1_header h = placed_header(DT_UINT16, 16, 3, 1, 1);
     const std::string data = bytes_of<std::uint16_t>({0, 1024, 4095});
     h.scl_slope = 1, h.scl_inter = -1024;
     const Volume hu = open_text(f, "v.nii", nifti_file(h, data));
@@ -212,7 +192,7 @@ TEST(ItkReader, HugeClaimsAreRefusedBeforeAnythingIsAllocated) {
     expect_error(Errc::bad_input, {"more than any memory"},
                  [&] { open_text(f, "v.mha", mha("MET_UCHAR", "2000000000 2000000000 2000000000", "abc")); });
     expect_error(Errc::bad_input, {"v.nii", "bytes"},
-                 [&] { open_text(f, "v.nii", nifti_file(nifti_header(DT_UINT8, 8, 32767, 32767, 32767), "abc")); });
+                 [&] { open_text(f, "v.nii", nifti_file(placed_header(DT_UINT8, 8, 32767, 32767, 32767), "abc")); });
     expect_error(Errc::bad_input, {"0 voxels"}, [&] { open_text(f, "v.mha", mha("MET_UCHAR", "2 0 1", "")); });
 }
 
