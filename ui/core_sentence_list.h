@@ -114,6 +114,9 @@ inline constexpr const char* k_core_sentences[] = {
     QT_TRANSLATE_NOOP("CoreSentence", "The voxel spacing is not stated; 1 x 1 x 1 mm is assumed."),
     QT_TRANSLATE_NOOP("CoreSentence", "%1 voxels are not a finite number (NaN or infinite)."),
     QT_TRANSLATE_NOOP("CoreSentence",
+                      "The values, %1 to %2, are beyond what pictures can be calculated with; scale them before you "
+                      "trust one."),
+    QT_TRANSLATE_NOOP("CoreSentence",
                       "%1 images beside the series (localizers, other sizes or orientations) are set aside: %2."),
     QT_TRANSLATE_NOOP("CoreSentence", "%1 DICOM files with a damaged header are left out: %2."),
     QT_TRANSLATE_NOOP("CoreSentence",

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <mutex>
 
 #include "core/base/parallel.h"
 #include "core/io/dicom_reader.h"
@@ -256,21 +257,42 @@ Volume open_plain(const fs::path& path, FileKind kind, const OpenOptions& option
     return read_raw(*source.layout, job);
 }
 
-/// NaN and infinite voxels are kept, but nobody should be surprised by them.
-void warn_of_nan(Volume& volume, const JobContext& job) {
+/// NaN and infinite voxels are kept, but nobody should be surprised by them; nor by values that single precision, which
+/// devices calculate in, cannot tell apart or subtract from one another.
+void warn_of_numbers(Volume& volume, const JobContext& job) {
     if (volume.type() != VoxelType::f32) return;
     const auto voxels = volume.view<float>().voxels();
-    std::atomic<std::int64_t> count{0};
+    std::mutex mutex;
+    std::int64_t odd = 0;
+    float least = std::numeric_limits<float>::infinity(), most = -least;
     parallel_bands(
         0, std::int64_t(voxels.size()), 8 * thread_count(),
         [&](std::int64_t from, std::int64_t to) {
-            std::int64_t odd = 0;
-            for (std::int64_t i = from; i < to; ++i) odd += !std::isfinite(voxels[std::size_t(i)]);
-            count += odd;
+            std::int64_t odd_here = 0;
+            float least_here = std::numeric_limits<float>::infinity(), most_here = -least_here;
+            for (std::int64_t i = from; i < to; ++i) {
+                const float v = voxels[std::size_t(i)];
+                const bool finite = std::isfinite(v);
+                odd_here += !finite;
+                least_here = finite && v < least_here ? v : least_here;
+                most_here = finite && v > most_here ? v : most_here;
+            }
+            const std::lock_guard lock(mutex);
+            odd += odd_here;
+            least = std::min(least, least_here);
+            most = std::max(most, most_here);
         },
         job);
-    if (count > 0)
-        volume.warnings.push_back({std::to_string(count) + " voxels are not a finite number (NaN or infinite).", 0});
+    if (odd > 0)
+        volume.warnings.push_back({std::to_string(odd) + " voxels are not a finite number (NaN or infinite).", 0});
+    const double span = double(most) - double(least), farthest = std::max(std::fabs(least), std::fabs(most));
+    if (least <= most &&
+        (span > std::numeric_limits<float>::max() || (farthest > 0 && farthest < std::numeric_limits<float>::min())))
+        volume.warnings.push_back(
+            {fmt::format("The values, {:.3g} to {:.3g}, are beyond what pictures can be calculated "
+                         "with; scale them before you trust one.",
+                         least, most),
+             0});
 }
 
 std::string spacing_text(const Volume& volume) {
@@ -405,7 +427,7 @@ Volume open_volume_within(const std::string& input, const OpenOptions& options, 
             const SeriesEntry& chosen = chosen_series(input, found, options.series);
             require_room(voxels_in(chosen.size), most_bytes);  // a voxel has a byte at least
             Volume volume = read_dicom_series(chosen, options, job.part(0.2, 1));
-            warn_of_nan(volume, {job.stop, nullptr});
+            warn_of_numbers(volume, {job.stop, nullptr});
             return options.spacing_mm ? with_spacing(volume, *options.spacing_mm, input) : volume;
         }
         if (!folder) throw Error(Errc::bad_input, "Cannot read " + input + ": this DICOM file holds no image.");
@@ -417,7 +439,7 @@ Volume open_volume_within(const std::string& input, const OpenOptions& options, 
     Volume volume = open_plain(path, kind, options, most_bytes, job.part(folder ? 0.2 : 0, 0.95));
     if (options.spacing_mm) volume = with_spacing(volume, *options.spacing_mm, input);
     volume.name = file_entry(path, {}, {}).description;
-    warn_of_nan(volume, job.part(0.95, 1));
+    warn_of_numbers(volume, job.part(0.95, 1));
     job.checkpoint(1, 1);
     job.check();
     return volume;

@@ -248,6 +248,10 @@
         <translation>%1 Voxel sind keine endliche Zahl (NaN oder unendlich).</translation>
     </message>
     <message>
+        <source>The values, %1 to %2, are beyond what pictures can be calculated with; scale them before you trust one.</source>
+        <translation>Mit den Werten, %1 bis %2, lassen sich keine Bilder berechnen; skalieren Sie sie, bevor Sie einem trauen.</translation>
+    </message>
+    <message>
         <source>%1 images beside the series (localizers, other sizes or orientations) are set aside: %2.</source>
         <translation>%1 Bilder neben der Serie (Übersichten, andere Größen oder Lagen) sind beiseitegelegt: %2.</translation>
     </message>

@@ -213,6 +213,20 @@ TEST(RawReader, NanVoxelsAreKeptAndCounted) {
     EXPECT_TRUE(std::isnan(v.value(1, 0, 0)));
 }
 
+TEST(RawReader, ValuesNoPictureCanBeMadeOfAreSaid) {
+    const ScratchFolder folder;
+    const auto warned = [&](float least, float most) {
+        const float values[4] = {least, 0, NAN, most};
+        put_file(folder / "f.raw", {reinterpret_cast<const char*>(values), sizeof values});
+        return has_warning(open_raw(folder / "f.raw", "2x2x1:f32"), "beyond what pictures can be calculated with");
+    };
+    EXPECT_TRUE(warned(-3e38f, 3e38f));  // their difference is infinite
+    EXPECT_TRUE(warned(-1e-40f, 1e-39f));
+    EXPECT_FALSE(warned(-1.5e38f, 1.5e38f));
+    EXPECT_FALSE(warned(-1e-37f, 1e-36f));
+    EXPECT_FALSE(warned(0, 0));
+}
+
 TEST(RawReader, AStoppedJobIsCancelled) {
     const ScratchFolder folder;
     put_file(folder / "c.raw", std::string(1000, 'x'));
