@@ -342,7 +342,8 @@ void read_nrrd_ends(const fs::path& file, const Fields& f, const std::vector<std
                hi = numbers_in<double>(text("axis maxs", "axismaxs"));
     const std::size_t axes = std::min<std::size_t>(3, sizes.size());
     if (!lo || !hi || lo->size() < axes || hi->size() < axes) return warn_of_spacing(facts);
-    const auto centerings = split(field(f, f.contains("centerings") ? "centerings" : "centers"), " \t");
+    const std::string centers = field(f, f.contains("centerings") ? "centerings" : "centers");
+    const auto centerings = split(centers, " \t");
     glm::dvec3 spacing(1), origin(0);
     for (std::size_t a = 0; a < axes; ++a) {
         const bool node = a < centerings.size() && lower_case(centerings[a]) == "node";

@@ -34,6 +34,8 @@ inline std::vector<std::string_view> split(std::string_view text, std::string_vi
     }
     return pieces;
 }
+std::vector<std::string_view> split(std::string&& text,
+                                    std::string_view separators) = delete;  // of which nothing is left
 
 /// A whole text as one number of type T, whatever the locale; nothing if any character is left over.
 template <class T>

@@ -192,7 +192,7 @@ std::int64_t imagej_number(const TiffFile& file, std::string_view key, std::stri
     const char* description = nullptr;
     if (!TIFFGetField(file.get(), TIFFTAG_IMAGEDESCRIPTION, &description) || !description) return 0;
     if (!std::string_view(description).starts_with("ImageJ=")) return 0;
-    for (const auto line : split(description, "\n"))
+    for (const auto line : split(std::string_view(description), "\n"))
         if (line.starts_with(key)) {
             const auto value = line.substr(key.size());
             if (text) *text = std::string(value);
