@@ -116,8 +116,8 @@ protected:
     void SetUp() override { LACUNA_NEEDS_DEVICE(); }
 };
 
-/// The arithmetic is the same but in the outer half of a border voxel: there one kernel interpolates between the last two
-/// layers, all the weight on the last, the other between two copies of the last, which rounds once less.
+/// The arithmetic is the same but in the outer half of a border voxel: there one kernel interpolates between the last
+/// two layers, all the weight on the last, the other between two copies of the last, which rounds once less.
 void expect_same_picture(const Scene& scene, const Plan& plan) {
     const Frame plain = without_blocks().render(scene, plan, {}, false).frame;
     const Frame frame = with_blocks().render(scene, plan, {}, false).frame;
@@ -142,6 +142,22 @@ TEST(BlocksOf, RandomScenesGiveTheSamePicture) {
         SCOPED_TRACE(i);
         expect_same_picture(scene, default_plan(scene));
     }
+}
+
+/// One group through a lens so wide that some of its rays run across its axis, forwards, backwards and hardly at all.
+TEST(BlocksOf, RaysAcrossTheAxisOfTheirGroupGiveTheSamePicture) {
+    LACUNA_NEEDS_DEVICE();
+    const Volume ball = test::bumpy_ball<std::uint16_t>({40, 40, 40}, {1, 1, 1}, 1000);
+    for (const ViewMode mode : {ViewMode::ea, ViewMode::mip})
+        for (int i = 0; i < 40; ++i) {
+            Scene scene = test::small_scene(ball, mode, {16, 16});
+            scene.camera.fov_deg = 150;
+            scene.camera.zoom = 8;
+            scene.camera.azimuth_deg = i < 20 ? 40 + i : 49.9 + 0.01 * (i - 20);
+            scene.camera.elevation_deg = 7;
+            SCOPED_TRACE(i);
+            expect_same_picture(scene, plan_of(mode == ViewMode::ea ? Structure::acd : Structure::macrocells));
+        }
 }
 
 TEST(BlocksOf, SamplesAreCopiedOnceForManyRays) {
