@@ -29,6 +29,15 @@ int thread_count() {
 
 void set_thread_count(int threads) { g_threads = std::max(0, threads); }
 
+void run_on_threads(int count, const std::function<void()>& work) {
+    std::vector<std::jthread> helpers;
+    try {
+        for (int t = 1; t < count; ++t) helpers.emplace_back(work);
+    } catch (const std::system_error&) {  // the system has no more threads to give: those there are do it all
+    }
+    work();
+}
+
 void parallel_for(std::int64_t begin, std::int64_t end, const std::function<void(std::int64_t)>& body,
                   const JobContext& job) {
     if (end <= begin) return;
@@ -56,15 +65,7 @@ void parallel_for(std::int64_t begin, std::int64_t end, const std::function<void
             }
         }
     };
-    {
-        const auto extra = std::min<std::int64_t>(thread_count(), total) - 1;
-        std::vector<std::jthread> helpers;
-        try {
-            for (std::int64_t t = 0; t < extra; ++t) helpers.emplace_back(work);
-        } catch (const std::system_error&) {  // the system has no more threads to give: those there are do it all
-        }
-        work();
-    }
+    run_on_threads(int(std::min<std::int64_t>(thread_count(), total)), work);
     if (failure) std::rethrow_exception(failure);
 }
 

@@ -8,12 +8,11 @@
 #include <exception>
 #include <mutex>
 #include <new>
-#include <system_error>
-#include <thread>
 
 #include "core/base/atomic_file.h"
 #include "core/base/atomic_folder.h"
 #include "core/base/file_lock.h"
+#include "core/base/parallel.h"
 #include "core/base/shell_word.h"
 #include "core/chart/svg_text.h"
 #include "core/inspect/batch_journal.h"
@@ -55,14 +54,8 @@ public:
             if (!p.done) open.push_back(&p);
         finished_ = planned.size() - open.size();
         total_ = planned.size();
-        const std::size_t threads = std::min(open.size(), std::size_t(std::max(1, options_.jobs)));
-        std::vector<std::jthread> helpers;
-        try {
-            for (std::size_t t = 1; t < threads; ++t) helpers.emplace_back([&] { work(open); });
-        } catch (const std::system_error&) {  // the system has no more threads to give: those there are do it all
-        }
-        if (threads > 0) work(open);
-        helpers.clear();  // joins
+        if (open.empty()) return;
+        run_on_threads(std::min(int(open.size()), std::max(1, options_.jobs)), [&] { work(open); });
         if (fault_) std::rethrow_exception(fault_);
     }
 

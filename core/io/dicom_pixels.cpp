@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/base/parallel.h"
+#include "core/io/byte_order.h"
 #include "core/io/dicom_codecs.h"
 #include "core/io/dicom_posix.h"
 #include "core/io/dicom_samples.h"
@@ -27,11 +28,6 @@ static_assert(std::endian::native == std::endian::little, "the DICOM reader assu
                 file.path.string());
 }
 
-void swap_bytes(std::span<std::byte> bytes, int word) {
-    for (std::size_t i = 0; i + std::size_t(word) <= bytes.size(); i += std::size_t(word))
-        std::reverse(bytes.begin() + std::ptrdiff_t(i), bytes.begin() + std::ptrdiff_t(i) + word);
-}
-
 /// Fills `target` with the bytes from `first` on of the pixels, in the order of their values: words that hold several
 /// pixels hold the first in their lower half (PS3.5 8.1.1), which a big-endian file stores second.
 void read_bytes(const RandomAccessFile& bytes, const File& file, std::uint64_t first, std::span<std::byte> target) {
@@ -43,7 +39,7 @@ void read_bytes(const RandomAccessFile& bytes, const File& file, std::uint64_t f
     const std::uint64_t from = first / 2 * 2, end = (first + target.size() + 1) / 2 * 2;
     std::vector<std::byte> words(std::size_t(end - from));
     if (bytes.read(file.pixel_offset + from, words) != words.size()) throw_cut_short(file);
-    swap_bytes(words, 2);
+    swap_words(words, 2);
     std::memcpy(target.data(), words.data() + (first - from), target.size());
 }
 
@@ -52,7 +48,7 @@ void read_direct(const RandomAccessFile& bytes, const File& file, int frame, std
     const auto each = std::size_t(file.pixels.frame_bytes());
     read_bytes(bytes, file, std::uint64_t(each) * std::uint64_t(frame), target.first(each));
     if (file.big_endian && file.pixels.bits_allocated > 8)
-        swap_bytes(target.first(each), file.pixels.bits_allocated / 8);
+        swap_words(target.first(each), std::size_t(file.pixels.bits_allocated / 8));
 }
 
 /// 1-bit frames follow each other without gaps, lowest bit first (PS3.5 8.1.1).

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
-#include <limits>
 
 #include "core/base/error.h"
 #include "core/io/dicom_header.h"
@@ -224,13 +223,13 @@ OFCondition PacsConnection::handleSTORERequestFile(T_ASC_PresentationContextID* 
     const std::filesystem::path file = new_file();
     received_ = 0;
     const OFCondition got = DcmSCU::handleSTORERequestFile(id, file.c_str(), request);
-    const bool full = got == DIMSE_OUTOFRESOURCES;  // then the file holds less than any object
+    const bool full = got == DIMSE_OUTOFRESOURCES;
     if (got.bad() && !full) {
         std::error_code ec;
         std::filesystem::remove(file, ec);
         return got;
     }
-    const bool kept = on_object(file, full ? std::numeric_limits<std::uint64_t>::max() : received_);
+    const bool kept = on_object(file, full ? std::nullopt : std::optional(received_));
     return kept ? got : OFCondition(DIMSE_OUTOFRESOURCES);
 }
 

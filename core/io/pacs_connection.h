@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 
 #include "core/base/job.h"
@@ -42,8 +43,8 @@ public:
 
     /// A file for the next object that C-GET brings, which is written while it comes.
     std::function<std::filesystem::path()> new_file;
-    /// Called for every object that has come, of so many bytes; false: it could not be kept.
-    std::function<bool(const std::filesystem::path& file, std::uint64_t bytes)> on_object;
+    /// Called for every object that has come, of so many bytes (none: the disk ran full); false: it could not be kept.
+    std::function<bool(const std::filesystem::path& file, std::optional<std::uint64_t> bytes)> on_object;
     /// Called with remaining and finished sub-operations of C-GET and C-MOVE.
     std::function<void(int remaining, int done, int failed)> on_progress;
     std::size_t most_responses = k_most_pacs_rows;

@@ -13,7 +13,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <limits>
 #include <list>
 #include <mutex>
 #include <system_error>
@@ -119,7 +118,7 @@ protected:
         const std::filesystem::path file = shared_.callbacks.new_file();
         received_ = 0;
         const OFCondition got = receiveSTORERequest(request, context.presentationContextID, OFString(file.c_str()));
-        const bool full = got == DIMSE_OUTOFRESOURCES;  // then the file holds less than any object
+        const bool full = got == DIMSE_OUTOFRESOURCES;
         if (got.bad() && !full) {
             std::error_code ec;
             std::filesystem::remove(file, ec);
@@ -128,7 +127,7 @@ protected:
         bool kept = false;
         {
             const std::lock_guard one_at_a_time(shared_.keeping);
-            kept = shared_.callbacks.on_object(file, full ? std::numeric_limits<std::uint64_t>::max() : received_);
+            kept = shared_.callbacks.on_object(file, full ? std::nullopt : std::optional(received_));
         }
         if (got.bad()) return got;
         shared_.alive();

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/io/pacs.h"
@@ -19,9 +20,9 @@ public:
     struct Callbacks {
         /// A file for the next object, which is written while it comes. Called by several threads.
         std::function<std::filesystem::path()> new_file;
-        /// A whole object has come, of so many bytes; false: it is not to be kept. Called by one thread at a time, of
-        /// its own. The file is the callee's.
-        std::function<bool(const std::filesystem::path& file, std::uint64_t bytes)> on_object;
+        /// An object has come, of so many bytes (none: the disk ran full); false: it is not to be kept. Called by one
+        /// thread at a time, of its own. The file is the callee's.
+        std::function<bool(const std::filesystem::path& file, std::optional<std::uint64_t> bytes)> on_object;
         /// Nothing has come for the server's time, nor alive() been called. Called once, from another thread.
         std::function<void()> on_silence;
     };

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <atomic>
-#include <limits>
+#include <optional>
 
 #include "core/base/atomic_folder.h"
 #include "core/base/error.h"
@@ -52,10 +52,10 @@ public:
 
     /// A file for what comes next, from any thread.
     fs::path next() { return output_.path() / fmt::format("incoming{}", ++incoming_); }
-    /// Keeps a file of so many bytes at least. Of a disk that ran full its writer may not have been told.
-    bool keep(const fs::path& file, std::uint64_t bytes) {
+    /// Keeps a file of so many bytes at least, if any. Of a disk that ran full its writer may not have been told.
+    bool keep(const fs::path& file, std::optional<std::uint64_t> bytes) {
         std::error_code ec;
-        bool kept = fs::file_size(file, ec) >= bytes && !ec;
+        bool kept = bytes && fs::file_size(file, ec) >= *bytes && !ec;
         if (kept) fs::rename(file, output_.path() / fmt::format("IM{:05d}.dcm", kept_ + 1), ec);
         kept = kept && !ec;
         if (kept) ++kept_;
@@ -150,7 +150,9 @@ PacsTransfer get(const PacsServer& server, const Wanted& wanted, Arrivals& arriv
     connection.connect();
     const auto context = connection.accepted(sop_class, "retrieving (C-GET by the study root)");
     connection.new_file = [&] { return arrivals.next(); };
-    connection.on_object = [&](const fs::path& file, std::uint64_t bytes) { return arrivals.keep(file, bytes); };
+    connection.on_object = [&](const fs::path& file, std::optional<std::uint64_t> bytes) {
+        return arrivals.keep(file, bytes);
+    };
     connection.on_progress = [&](int remaining, int done, int failed) { report(job, remaining, done, failed); };
     DcmDataset keys = wanted.keys();
     OFList<RetrieveResponse*> responses;
@@ -180,9 +182,8 @@ PacsTransfer move(const PacsServer& server, const Wanted& wanted, Arrivals& arri
     connection.propose(sop_class, dicom::plain_syntaxes());
     connection.connect();
     const auto context = connection.accepted(sop_class, "retrieving (C-MOVE by the study root)");
-    const auto take = [&](const fs::path& file, std::uint64_t bytes) {
-        const bool whole = bytes != std::numeric_limits<std::uint64_t>::max();
-        return whole && (job.stopped() || !wanted.holds(file)) ? arrivals.drop(file) : arrivals.keep(file, bytes);
+    const auto take = [&](const fs::path& file, std::optional<std::uint64_t> bytes) {
+        return bytes && (job.stopped() || !wanted.holds(file)) ? arrivals.drop(file) : arrivals.keep(file, bytes);
     };
     auto receiving = std::make_unique<dicom::PacsReceiving>(
         server, dicom::PacsReceiving::Callbacks{[&] { return arrivals.next(); }, take, [&] { connection.give_up(); }});

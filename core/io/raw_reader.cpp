@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/io/byte_order.h"
 #include "core/io/text_fields.h"
 
 namespace lacuna {
@@ -61,24 +62,6 @@ private:
     int fd_;
     fs::path file_;
 };
-
-template <class Word>
-void swap_words(std::byte* bytes, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-        Word w;
-        std::memcpy(&w, bytes + i * sizeof(Word), sizeof(Word));
-        if constexpr (sizeof(Word) == 2)
-            w = __builtin_bswap16(w);
-        else
-            w = __builtin_bswap32(w);
-        std::memcpy(bytes + i * sizeof(Word), &w, sizeof(Word));
-    }
-}
-
-void swap_bytes(std::byte* bytes, std::size_t size, std::size_t word) {
-    if (word == 2) swap_words<std::uint16_t>(bytes, size / 2);
-    if (word == 4) swap_words<std::uint32_t>(bytes, size / 4);
-}
 
 void parse_dims(std::string_view text, std::string_view part, RawLayout& layout) {
     const auto dims = numbers_in<std::int64_t>(part, "x");
@@ -216,7 +199,7 @@ public:
                     file_.read_at(layout_.offset + std::uint64_t(at) * word, to + std::size_t(y) * row,
                                   whole_rows ? slice : row);
                 }
-                if (must_swap(layout_)) swap_bytes(to, slice, word);
+                if (must_swap(layout_)) swap_words({to, slice}, word);
             },
             job);
     }
@@ -245,7 +228,7 @@ Volume read_raw(const RawLayout& layout, const JobContext& job) {
             const std::uint64_t from = std::uint64_t(c) * k_chunk;
             const std::size_t size = std::size_t(std::min(k_chunk, bytes - from));
             file.read_at(layout.offset + from, voxels.data() + from, size);
-            if (must_swap(layout)) swap_bytes(voxels.data() + from, size, word);
+            if (must_swap(layout)) swap_words({voxels.data() + from, size}, word);
         },
         job);
     return described(Volume(layout.geometry, layout.type, std::move(voxels)), layout);

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/io/byte_order.h"
 #include "core/io/dicom_posix.h"
 
 namespace lacuna {
@@ -30,17 +31,8 @@ public:
     z_stream stream{};
 };
 
-template <class Word>
-void swap_words(std::span<std::byte> bytes) {
-    for (std::size_t at = 0; at + sizeof(Word) <= bytes.size(); at += sizeof(Word))
-        std::reverse(bytes.begin() + std::ptrdiff_t(at), bytes.begin() + std::ptrdiff_t(at + sizeof(Word)));
-}
-
 void to_native(std::span<std::byte> bytes, const StoredVoxels& voxels, std::size_t word) {
-    if (voxels.big_endian != (std::endian::native == std::endian::little)) return;
-    if (word == 2) swap_words<std::uint16_t>(bytes);
-    if (word == 4) swap_words<std::uint32_t>(bytes);
-    if (word == 8) swap_words<std::uint64_t>(bytes);
+    if (voxels.big_endian == (std::endian::native == std::endian::little)) swap_words(bytes, word);
 }
 
 [[noreturn]] void refuse_length(const std::filesystem::path& named, std::uint64_t need, std::uint64_t have) {

@@ -36,11 +36,9 @@ typedef struct {
 /// The best value that the samples of a slab can have; -INFINITY where none can count.
 INLINE float slab_bound(constant RayParams* p, Structure s, const Group* g, int slab, int* reads) {
 #if LACUNA_STRUCTURE == 1
-    float4 lo, hi;
-    slab_box(g, slab, &lo, &hi);
-    const float4 zero = (float4)(0.0f), last = (float4)(p->last[0], p->last[1], p->last[2], 0.0f);
-    const int4 from = convert_int4(clamp(lo, zero, last)) >> p->cell_shift;
-    const int4 to = convert_int4(clamp(hi, zero, last)) >> p->cell_shift;
+    int4 first, last;
+    slab_box(p, g, slab, &first, &last);
+    const int4 from = first >> p->cell_shift, to = last >> p->cell_shift;
     float bound = -INFINITY;
     for (int z = from.z; z <= to.z; ++z)
         for (int y = from.y; y <= to.y; ++y) {
@@ -121,8 +119,11 @@ INLINE void search_slab(global const voxel_t* volume, constant RayParams* p, Sea
         if (in_slabs && part == 0 && !filled) continue;
         COUNT(s->copied += filled;)
         left &= ~together;
+        const int fetches = filled && part == 0 && ahead < g->slabs;
+        int4 first, last;
+        if (fetches) slab_box(p, g, ahead, &first, &last);
         for (int i = 0; i < GROUP_PACKETS; ++i) {
-            if (filled && part == 0 && ahead < g->slabs) fetch_slice(volume, p, g, ahead, i);
+            if (fetches) fetch_slice(volume, p, first, last, i);
             if (together >> i & 1)
                 s->found[i] = best_between(volume, p, &g->rays[i], g->next[i], g->stop[i], filled ? entries : 0, &block,
                                            s->found[i]);
