@@ -1,8 +1,8 @@
 // The figures the published methods' authors report, measured here on the same kind of scene (docs/seeds.md): gains
 // over plain casting on the same device, frames in turn, medians over an orbit. Times are processor time of all
 // threads, which other programs on the machine disturb least. Without blocks (kernels/include/block.clh), which no
-// author had: methods by themselves.
-//   bench_seeds [levoy|es|lesar|memory|rebuild] [SIZE [VIEWS]]      all of them, 256, 6
+// author had: methods by themselves; with them where the last word says so.
+//   bench_seeds [levoy|es|lesar|memory|rebuild] [SIZE [VIEWS [blocks]]]      all of them, 256, 6
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,9 +40,9 @@ struct Way {
 
 class SeedsBench {
 public:
-    SeedsBench(std::shared_ptr<ComputeDevice> device, int size, int views)
-        : engine_(std::move(device), false), size_(size), views_(views) {
-        fmt::print("{}: {} views, medians\n", engine_.device_name(), views_);
+    SeedsBench(std::shared_ptr<ComputeDevice> device, int size, int views, bool blocks)
+        : engine_(std::move(device), blocks), size_(size), views_(views) {
+        fmt::print("{}: {} views, medians, with{} blocks\n", engine_.device_name(), views_, blocks ? "" : "out");
     }
 
     /// Levoy 1988: opaque surfaces in mostly empty space; the picture grows with the data, as his did.
@@ -242,7 +242,7 @@ int main(int argc, char** argv) {
     try {
         const auto device = open_device();
         if (!device) throw Error(Errc::device, "There is no usable OpenCL device.");
-        SeedsBench bench(device, number(2, 256), number(3, 6));
+        SeedsBench bench(device, number(2, 256), number(3, 6), argc > 4 && std::string(argv[4]) == "blocks");
         bool known = false;
         const auto part = [&](const char* name, void (SeedsBench::*run)()) {
             if (what != name && what != "all") return;
