@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::array k_edges{256, 128, 64, 32};
 constexpr std::uint64_t k_bricks_at_once = 6;  // fewer, and neighbours on the way of one ray push each other out
+constexpr std::int64_t k_most_voxels = std::int64_t(1) << 32;  // kernels number those of a buffer with 32 bits
 constexpr std::uint64_t k_mb = std::uint64_t(1) << 20;
 
 /// Of a pixel: colour and depth on device and host, carried state, an 8-bit picture, and the same once more while
@@ -57,6 +58,8 @@ std::uint64_t fixed_bytes(const Scene& scene, const MemoryBudget& budget) {
     return program + picture + held + std::uint64_t(double(scene.volume.geometry().voxel_count()) * k_index_bytes);
 }
 
+bool too_many_voxels(const Scene& scene) { return scene.volume.geometry().voxel_count() > k_most_voxels; }
+
 std::string mb(std::uint64_t bytes) { return std::to_string((bytes + k_mb - 1) / k_mb) + " MB"; }
 
 std::string reason(const Scene& scene, int edge, const MemoryBudget& budget) {
@@ -67,6 +70,9 @@ std::string reason(const Scene& scene, int edge, const MemoryBudget& budget) {
     if (budget.device_allocation && scene.volume.total_bytes() + 64 > budget.device_allocation)
         return "Bricks of " + std::to_string(edge) + " voxels: the device takes at most " +
                mb(budget.device_allocation) + " at once, the volume has " + size + ".";
+    if (too_many_voxels(scene))
+        return "Bricks of " + std::to_string(edge) + " voxels: the volume has more than " +
+               std::to_string(k_most_voxels) + " of them, which is the most that are drawn in one piece.";
     return "Bricks of " + std::to_string(edge) + " voxels: the volume's " + size + " exceed what the device may hold.";
 }
 
@@ -84,7 +90,7 @@ glm::ivec3 ghost_voxels(const Scene& scene, const Plan& plan) {
 
 bool fits_whole(const Scene& scene, const MemoryBudget& budget) {
     const std::uint64_t bytes = scene.volume.total_bytes();
-    if (!scene.volume.in_memory()) return false;
+    if (!scene.volume.in_memory() || too_many_voxels(scene)) return false;
     if (budget.device_allocation && bytes + 64 > budget.device_allocation) return false;
     return !budget.device_total || bytes + bytes / 4 <= budget.device_total;
 }
@@ -94,10 +100,10 @@ Plan with_bricks(const Plan& plan, const Scene& scene, const MemoryBudget& budge
     const bool asked = plan.brick > 0;
     if (!asked && fits_whole(scene, budget)) return out;
     if (plan.structure == Structure::leap || scene.regions)
-        throw Error(
-            Errc::unsupported,
-            "Regions are those of the whole volume, and this one does not fit whole: raise --memory-limit, or take "
-            "another structure than leap and show all regions.");
+        throw Error(Errc::unsupported, std::string("Regions are those of the whole volume, and this one ") +
+                                           (too_many_voxels(scene) ? "has too many voxels to be drawn whole: "
+                                                                   : "does not fit whole: raise --memory-limit, or ") +
+                                           "take another structure than leap and show all regions.");
     const std::uint64_t fixed = fixed_bytes(scene, budget);
     std::uint64_t left = budget.total > fixed ? budget.total - fixed : 0;
     if (budget.device_total) left = std::min(left, budget.device_total / 4 * 3);

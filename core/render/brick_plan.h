@@ -21,8 +21,8 @@ inline constexpr std::uint64_t k_program_bytes = std::uint64_t(384) << 20;
 /// 75 % of the machine's memory.
 std::uint64_t default_memory_limit();
 
-/// Whether the scene's volume can be drawn in one piece: it lies in memory, the device takes it in one buffer, and all
-/// together stays within the budget.
+/// Whether the scene's volume can be drawn in one piece: it lies in memory, has at most 2^32 voxels, the device takes
+/// it in one buffer, and all together stays within the budget.
 bool fits_whole(const Scene& scene, const MemoryBudget& budget);
 
 /// The plan with bricks where the volume does not fit whole, or where the plan asks for them (brick > 0): their edge,

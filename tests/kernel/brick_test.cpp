@@ -356,5 +356,72 @@ TEST(BrickStreaming, TheEngineCutsWhatDoesNotFit) {
     EXPECT_EQ(result.bricks->total, 27);
 }
 
+/// Zeros but for a bright box; what nobody touches of it takes no memory.
+Volume vast(glm::ivec3 size, glm::ivec3 box_first, glm::ivec3 box_last) {
+    GridGeometry grid;
+    grid.size = size;
+    VoxelBuffer voxels(std::size_t(grid.voxel_count()));
+    for (int z = box_first.z; z <= box_last.z; ++z)
+        for (int y = box_first.y; y <= box_last.y; ++y)
+            std::fill_n(voxels.data() + grid.linear_index(box_first.x, y, z), box_last.x - box_first.x + 1,
+                        std::byte(200));
+    return Volume(grid, VoxelType::u8, std::move(voxels));
+}
+
+Scene vast_scene(const Volume& volume) {
+    Scene scene;
+    scene.volume = volume;
+    scene.mode = ViewMode::iso;
+    scene.iso = 100;
+    scene.window = {0, 255};
+    scene.size = {33, 33};
+    return scene;
+}
+
+// Kernels number voxels with 32 bits, of which all count: nothing is read from the wrong end beyond 2^31.
+TEST(BrickStreaming, VoxelsBeyondTwoToThe31AreFoundByTheirNumbers) {
+    LACUNA_NEEDS_DEVICE();
+    const glm::ivec3 size(1024, 1024, 2100), first(300, 200, 2060), last(700, 900, 2090);
+    if (test::device()->info().max_allocation_bytes < std::uint64_t(size.x) * size.y * size.z + 64)
+        GTEST_SKIP() << "skipped: the device takes no buffer of 2.2 GB";
+    const Volume volume = vast(size, first, last);
+    ASSERT_GT(volume.geometry().linear_index(first.x, first.y, first.z), std::int64_t(1) << 31);
+    Scene scene = vast_scene(volume);
+    scene.camera.elevation_deg = 90;  // from above, onto the box
+    scene.camera.center_mm = 0.5 * glm::dvec3(first + last);
+    scene.camera.zoom = 3;
+    const double pixel_mm = volume.geometry().diameter_mm() / scene.camera.zoom / scene.size.x;
+    for (const int lanes : {16, 1}) {
+        const Frame frame = test::renderer(lanes).render(scene, exact_plan(Structure::none), {}, false).frame;
+        test::renderer(lanes).drop_caches();
+        for (int y = 0; y < scene.size.y; ++y)
+            for (int x = 0; x < scene.size.x; ++x) {
+                const glm::dvec2 off = (glm::abs(glm::dvec2(x, y) - 16.0)) * pixel_mm - 0.5 * glm::dvec2(last - first);
+                if (std::abs(off.x) < 2 || std::abs(off.y) < 2) continue;  // on the edge
+                EXPECT_EQ(frame.color[std::size_t(y * scene.size.x + x)].a > 0.5f, off.x < 0 && off.y < 0)
+                    << x << ", " << y << ", " << lanes << " lanes";
+            }
+    }
+}
+
+TEST(BrickStreaming, MoreThanTwoToThe32VoxelsAreNeverDrawnWhole) {
+    MemoryBudget ample;
+    ample.total = std::uint64_t(64) << 30;
+    const Scene most = vast_scene(vast({65536, 65536, 1}, {0, 0, 0}, {1, 1, 0}));
+    EXPECT_TRUE(fits_whole(most, ample));
+    const Scene over = vast_scene(vast({65536, 65537, 1}, {0, 0, 0}, {1, 1, 0}));
+    EXPECT_FALSE(fits_whole(over, ample));
+    const Plan plan = with_bricks(exact_plan(Structure::none), over, ample);
+    EXPECT_EQ(plan.brick, 256);
+    ASSERT_FALSE(plan.why.empty());
+    EXPECT_NE(plan.why.back().find("4294967296"), std::string::npos) << plan.why.back();
+    try {
+        with_bricks(exact_plan(Structure::leap), over, ample);
+        FAIL() << "regions of the whole need it whole";
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).find("memory-limit"), std::string::npos) << error.what();
+    }
+}
+
 }  // namespace
 }  // namespace lacuna
