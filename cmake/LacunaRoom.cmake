@@ -21,7 +21,7 @@ if(LACUNA_SANITIZE)
     endif()
 endif()
 # The test programs that are worth running under a sanitizer (./test does): label and target of the same name.
-set(LACUNA_SANITIZED_TESTS test_base test_volume test_classify test_regions test_io test_render)
+set(LACUNA_SANITIZED_TESTS test_base test_volume test_classify test_regions test_io test_accel test_render)
 add_custom_target(sanitized_tests)
 
 # lacuna_room(NAME DEPENDS lacuna_x ... LIBRARIES other ...): static library lacuna_NAME of all .cpp files in this folder.
