@@ -206,7 +206,7 @@ std::optional<DeviceCosts> costs_of(Engine& engine, const JobContext& job, bool 
     const std::optional<std::string> driver = driver_of(device);
     if (!driver) return std::nullopt;
     if (!anew)
-        if (const auto kept = kept_costs(device, *driver)) return kept;
+        if (auto kept = kept_costs(device, *driver)) return kept;
     DeviceCosts costs = measure_costs(engine, job);
     costs.device = device;
     costs.driver = *driver;
