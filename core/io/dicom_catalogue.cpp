@@ -18,8 +18,8 @@
 #include "core/base/parallel.h"
 #include "core/io/dicom_anonymise.h"
 #include "core/io/dicom_header.h"
-#include "core/io/dicom_posix.h"
 #include "core/io/dicom_tags.h"
+#include "core/io/random_access_file.h"
 #include "core/io/text_fields.h"
 #include "core/io/volume_reader.h"
 
@@ -74,7 +74,7 @@ enum class Looked { image, other, unreadable };
 /// The header of one file; everything before its pixels.
 Looked look_at(const fs::path& file, Item& item) {
     try {
-        const dicom::RandomAccessFile bytes(file);
+        const RandomAccessFile bytes(file);
         std::array<std::byte, 256> start{};
         const std::size_t got = bytes.read(0, start);
         if (!dicom::starts_like_dicom({reinterpret_cast<const char*>(start.data()), got})) return Looked::other;

@@ -6,7 +6,8 @@
 #include <array>
 #include <vector>
 
-#include "core/io/dicom_posix.h"
+#include "core/base/error.h"
+#include "core/io/random_access_file.h"
 
 namespace lacuna::dicom {
 

@@ -16,9 +16,9 @@
 #include <stdexcept>
 
 #include "core/io/dicom_lut.h"
-#include "core/io/dicom_posix.h"
 #include "core/io/dicom_tags.h"
 #include "core/io/dicom_text.h"
+#include "core/io/random_access_file.h"
 
 namespace lacuna::dicom {
 

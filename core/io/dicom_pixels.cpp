@@ -7,11 +7,12 @@
 #include <cstring>
 #include <limits>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/io/byte_order.h"
 #include "core/io/dicom_codecs.h"
-#include "core/io/dicom_posix.h"
 #include "core/io/dicom_samples.h"
+#include "core/io/random_access_file.h"
 
 namespace lacuna::dicom {
 

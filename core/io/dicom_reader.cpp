@@ -9,13 +9,14 @@
 #include <memory>
 #include <numeric>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/io/dicom_pixels.h"
-#include "core/io/dicom_posix.h"
 #include "core/io/dicom_resample.h"
 #include "core/io/dicom_series.h"
 #include "core/io/dicom_source.h"
 #include "core/io/dicom_stack.h"
+#include "core/io/random_access_file.h"
 
 namespace lacuna {
 

@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "core/base/error.h"
-#include "core/io/dicom_posix.h"
+#include "core/io/random_access_file.h"
 #include "core/io/raw_roughness.h"
 
 namespace lacuna {
@@ -59,7 +59,7 @@ struct Subject {
 };
 
 Subject read_subject(const fs::path& file, const JobContext& job) {
-    const dicom::RandomAccessFile in(file);
+    const RandomAccessFile in(file);
     Subject subject{file, in.bytes(), raw_name_hints(file.filename().string()), {}, {}};
     subject.head.resize(std::size_t(std::min<std::uint64_t>(64, in.bytes())));
     subject.head.resize(in.read(0, subject.head));

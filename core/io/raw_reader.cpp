@@ -1,18 +1,15 @@
 #include "core/io/raw_reader.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <bit>
-#include <cerrno>
-#include <cstring>
+#include <cmath>
 #include <regex>
 #include <system_error>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/io/byte_order.h"
+#include "core/io/random_access_file.h"
 #include "core/io/text_fields.h"
 
 namespace lacuna {
@@ -33,35 +30,6 @@ std::optional<VoxelType> type_named(std::string_view name) {
         if (name == name_of(t)) return t;
     return std::nullopt;
 }
-
-/// An open file that closes itself.
-class ReadFile {
-public:
-    explicit ReadFile(const fs::path& file) : fd_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)), file_(file) {
-        if (fd_ < 0) fail(errno);
-    }
-    ~ReadFile() { ::close(fd_); }
-    ReadFile(const ReadFile&) = delete;
-    ReadFile& operator=(const ReadFile&) = delete;
-
-    void read_at(std::uint64_t offset, std::byte* to, std::size_t bytes) const {
-        while (bytes > 0) {
-            const ssize_t n = ::pread(fd_, to, bytes, off_t(offset));
-            if (n < 0 && errno == EINTR) continue;
-            if (n <= 0) fail(n == 0 ? EIO : errno);
-            to += n;
-            offset += std::uint64_t(n);
-            bytes -= std::size_t(n);
-        }
-    }
-
-private:
-    [[noreturn]] void fail(int code) const {
-        throw Error(Errc::io, "Cannot read " + file_.string() + ": " + std::generic_category().message(code) + ".");
-    }
-    int fd_;
-    fs::path file_;
-};
 
 void parse_dims(std::string_view text, std::string_view part, RawLayout& layout) {
     const auto dims = numbers_in<std::int64_t>(part, "x");
@@ -196,8 +164,8 @@ public:
                 for (int y = 0; y < (whole_rows ? 1 : box.size.y); ++y) {
                     const std::int64_t at =
                         layout_.geometry.linear_index(box.first.x, box.first.y + y, box.first.z + int(z));
-                    file_.read_at(layout_.offset + std::uint64_t(at) * word, to + std::size_t(y) * row,
-                                  whole_rows ? slice : row);
+                    file_.read_all(layout_.offset + std::uint64_t(at) * word,
+                                   {to + std::size_t(y) * row, whole_rows ? slice : row});
                 }
                 if (must_swap(layout_)) swap_words({to, slice}, word);
             },
@@ -206,7 +174,7 @@ public:
 
 private:
     RawLayout layout_;
-    ReadFile file_;
+    RandomAccessFile file_;
 };
 
 }  // namespace
@@ -220,15 +188,16 @@ Volume read_raw(const RawLayout& layout, const JobContext& job) {
     const std::uint64_t bytes = checked_file(layout);
     const std::size_t word = size_of(layout.type);
     VoxelBuffer voxels{std::size_t(bytes)};
-    const ReadFile file(layout.file);
+    const RandomAccessFile file(layout.file);
     constexpr std::uint64_t k_chunk = std::uint64_t(8) << 20;  // a multiple of every word size
     parallel_for(
         0, std::int64_t((bytes + k_chunk - 1) / k_chunk),
         [&](std::int64_t c) {
             const std::uint64_t from = std::uint64_t(c) * k_chunk;
             const std::size_t size = std::size_t(std::min(k_chunk, bytes - from));
-            file.read_at(layout.offset + from, voxels.data() + from, size);
-            if (must_swap(layout)) swap_words({voxels.data() + from, size}, word);
+            const std::span<std::byte> piece(voxels.data() + from, size);
+            file.read_all(layout.offset + from, piece);
+            if (must_swap(layout)) swap_words(piece, word);
         },
         job);
     return described(Volume(layout.geometry, layout.type, std::move(voxels)), layout);

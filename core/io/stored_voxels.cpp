@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/io/byte_order.h"
-#include "core/io/dicom_posix.h"
+#include "core/io/random_access_file.h"
 
 namespace lacuna {
 
@@ -44,7 +44,7 @@ void to_native(std::span<std::byte> bytes, const StoredVoxels& voxels, std::size
 /// Unpacks to where the bytes belong; those before the first voxel and behind the last are thrown away.
 void unpack(const std::filesystem::path& named, const StoredVoxels& voxels, std::span<std::byte> to,
             const JobContext& job) {
-    const dicom::RandomAccessFile in(voxels.file);
+    const RandomAccessFile in(voxels.file);
     constexpr std::size_t k_input = std::size_t(256) << 10;
     std::vector<std::byte> input(k_input), beside(std::size_t(64) << 10);
     Inflater inflater;
@@ -97,7 +97,7 @@ void read_stored(const std::filesystem::path& named, const StoredVoxels& voxels,
             0, pieces, [&](std::int64_t p) { to_native(piece(p), voxels, word); }, job.part(0.95, 1));
         return;
     }
-    const dicom::RandomAccessFile in(voxels.file);
+    const RandomAccessFile in(voxels.file);
     parallel_for(
         0, pieces,
         [&](std::int64_t p) {
