@@ -1,0 +1,118 @@
+#include "core/io/header_check.h"
+
+#include <nifti1.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <bit>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/io/header_text.h"
+#include "core/io/raw_reader.h"
+#include "core/io/text_fields.h"
+
+namespace lacuna {
+
+namespace fs = std::filesystem;
+using namespace headers;
+
+namespace {
+
+template <class T>
+T swapped(T value) {
+    auto* bytes = reinterpret_cast<unsigned char*>(&value);
+    std::reverse(bytes, bytes + sizeof(T));
+    return value;
+}
+
+/// The header in the machine's byte order; true: it was stored the other way round.
+std::pair<nifti_1_header, bool> nifti_header(const fs::path& file) {
+    nifti_1_header h{};
+    const std::unique_ptr<gzFile_s, int (*)(gzFile)> in(gzopen(file.c_str(), "rb"), gzclose);
+    if (!in) throw Error(Errc::io, "Cannot read " + file.string() + ": " + std::strerror(errno) + ".");
+    if (gzread(in.get(), &h, sizeof h) != int(sizeof h))
+        refuse(file, "it is cut short, or no NIfTI file: its header needs 348 bytes");
+    if (h.sizeof_hdr == 540 || swapped(h.sizeof_hdr) == 540)
+        throw Error(Errc::unsupported, "Cannot read " + file.string() + ": it is NIfTI-2; convert it to NIfTI-1.");
+    if (std::memcmp(h.magic, "ni1", 4) == 0)
+        throw Error(Errc::unsupported, "Cannot read " + file.string() +
+                                           ": its voxels lie in another file (.img); convert it to one .nii file.");
+    if (std::memcmp(h.magic, "n+1", 4) != 0) refuse(file, "it is no NIfTI file (its magic word is missing)");
+    const bool other_order = h.dim[0] < 1 || h.dim[0] > 7;
+    if (other_order) {
+        for (short& d : h.dim) d = swapped(d);
+        for (float& p : h.pixdim) p = swapped(p);
+        for (float* f : {&h.vox_offset, &h.scl_slope, &h.scl_inter}) *f = swapped(*f);
+        for (short* s : {&h.datatype, &h.bitpix, &h.qform_code, &h.sform_code}) *s = swapped(*s);
+    }
+    if (h.dim[0] < 1 || h.dim[0] > 7) refuse(file, "its number of dimensions is not within 1 to 7");
+    return {h, other_order};
+}
+
+StoredType nifti_type(const fs::path& file, const nifti_1_header& h) {
+    static const std::pair<int, StoredType> k_types[] = {{DT_UINT8, StoredType::u8},    {DT_INT8, StoredType::i8},
+                                                         {DT_UINT16, StoredType::u16},  {DT_INT16, StoredType::i16},
+                                                         {DT_UINT32, StoredType::u32},  {DT_INT32, StoredType::i32},
+                                                         {DT_UINT64, StoredType::u64},  {DT_INT64, StoredType::i64},
+                                                         {DT_FLOAT32, StoredType::f32}, {DT_FLOAT64, StoredType::f64}};
+    for (const auto& [code, type] : k_types) {
+        if (code != h.datatype) continue;
+        if (std::size_t(h.bitpix) != 8 * size_of(type))
+            refuse(file, "its bitpix " + std::to_string(h.bitpix) + " does not fit its datatype " +
+                             std::to_string(h.datatype));
+        return type;
+    }
+    throw Error(Errc::unsupported, "Cannot read " + file.string() + ": its voxels are of datatype " +
+                                       std::to_string(h.datatype) +
+                                       " (colours, complex or single bits); only scalar volumes can be opened.");
+}
+
+std::uint64_t nifti_offset(const fs::path& file, const nifti_1_header& h) {
+    if (h.vox_offset == 0 || std::isnan(h.vox_offset)) return 352;  // what the format asks for at least
+    if (!(h.vox_offset >= 352 && h.vox_offset < 1e15f))
+        refuse(file, "its vox_offset is " + std::to_string(h.vox_offset) + ", but must be 352 at least");
+    return std::uint64_t(h.vox_offset);
+}
+
+}  // namespace
+
+HeaderFacts check_nifti(const fs::path& file) {
+    const auto [h, other_order] = nifti_header(file);
+    HeaderFacts facts;
+    facts.type = nifti_type(file, h);
+    std::uint64_t need = size_of(*facts.type);
+    for (int a = 1; a <= h.dim[0]; ++a) {
+        need = checked_bytes(file.string(), h.dim[a], 1, 1, need);
+        if (a > 3 && h.dim[a] > 1)
+            throw Error(Errc::unsupported, "Cannot read " + file.string() + ": it holds " + std::to_string(h.dim[a]) +
+                                               " volumes (time points or channels); extract one first.");
+        if (a <= 3 && !(h.pixdim[a] > 0 && std::isfinite(h.pixdim[a])))
+            refuse(file, "its spacing pixdim[" + std::to_string(a) + "] is " + std::to_string(h.pixdim[a]) +
+                             ", but spacings must be positive numbers of mm");
+    }
+    if (std::isfinite(h.scl_slope) && h.scl_slope != 0) {  // zero: no scale at all
+        facts.slope = h.scl_slope;
+        facts.intercept = std::isfinite(h.scl_inter) ? h.scl_inter : 0;
+    }
+    if (h.qform_code <= 0 && h.sform_code <= 0)
+        facts.warnings.push_back(
+            {"The file states no orientation (neither qform nor sform): left and right cannot be "
+             "known from it.",
+             0});
+    const bool packed = lower_case(file.extension().string()) == ".gz";
+    const bool swap = other_order == (std::endian::native == std::endian::little);
+    const std::uint64_t offset = nifti_offset(file, h);
+    // Readers agree to ignore bytes behind the voxels.
+    facts.voxels = StoredVoxels{file, packed ? 0 : offset, packed ? offset : 0, need, packed, true, swap};
+    std::error_code ec;
+    const std::uint64_t have = fs::file_size(file, ec);
+    if (packed || have < need + offset) check_length(file, have, need + (packed ? 0 : offset), packed);
+    return facts;
+}
+
+}  // namespace lacuna
