@@ -141,11 +141,12 @@ void RenderOptions::parse_camera() {
     camera_.zoom = optional_number("--zoom", words_.zoom).value_or(camera_.zoom);
     camera_.fov_deg = optional_number("--perspective", words_.perspective);
     if (!(camera_.zoom > 0)) refuse("--zoom", *words_.zoom, "above 0");
-    // Rays of smaller fields start so far away that single precision loses the volume; they are parallel to the eye.
-    constexpr double k_least_fov_deg = 0.01;
-    if (camera_.fov_deg && !(*camera_.fov_deg >= k_least_fov_deg && *camera_.fov_deg < 180))
-        refuse("--perspective", *words_.perspective,
-               fmt::format("from {:g} to below 180 degrees; parallel rays need no --perspective", k_least_fov_deg));
+    if (camera_.fov_deg)
+        for_flag("--perspective " + *words_.perspective, [&] {
+            Camera alone;
+            alone.fov_deg = camera_.fov_deg;
+            resolve(alone, GridGeometry{}, {1, 1});
+        });
     if (words_.center) {
         const std::vector<double> v = parse_numbers("--center", *words_.center, 3);
         camera_.center_mm = glm::dvec3(v[0], v[1], v[2]);

@@ -9,8 +9,11 @@ namespace lacuna {
 ViewRays resolve(const Camera& camera, const GridGeometry& geometry, glm::ivec2 image_size) {
     if (!(camera.zoom > 0) || !std::isfinite(camera.zoom))
         throw Error(Errc::bad_usage, "The zoom must be a positive number.");
-    if (camera.fov_deg && !(*camera.fov_deg > 0 && *camera.fov_deg < 180))
-        throw Error(Errc::bad_usage, "The field of view must lie between 0 and 180 degrees.");
+    // Rays of smaller fields start so far away that single precision loses the volume; they are parallel to the eye.
+    constexpr double k_least_fov_deg = 0.01;
+    if (camera.fov_deg && !(*camera.fov_deg >= k_least_fov_deg && *camera.fov_deg < 180))
+        throw Error(Errc::bad_usage,
+                    "The field of view must lie from 0.01 to below 180 degrees; parallel rays need none.");
     if (image_size.x < 1 || image_size.y < 1 || image_size.x > 16384 || image_size.y > 16384)
         throw Error(Errc::bad_usage, "The image size must be 1 to 16384 pixels on each side.");
 
@@ -29,9 +32,8 @@ ViewRays resolve(const Camera& camera, const GridGeometry& geometry, glm::ivec2 
     rays.pixel_mm = span_mm / camera.zoom / std::min(image_size.x, image_size.y);
     rays.perspective = camera.fov_deg.has_value();
     // Orthographic rays start far enough away that a centre anywhere in the volume leaves all of it in front.
-    rays.distance_mm = rays.perspective
-                           ? 0.5 * span_mm / std::tan(0.5 * glm::radians(*camera.fov_deg))
-                           : 0.5 * span_mm + glm::length(rays.target - geometry.centre_mm());
+    rays.distance_mm = rays.perspective ? 0.5 * span_mm / std::tan(0.5 * glm::radians(*camera.fov_deg))
+                                        : 0.5 * span_mm + glm::length(rays.target - geometry.centre_mm());
     rays.eye = rays.target - rays.forward * rays.distance_mm;
     return rays;
 }

@@ -15,7 +15,7 @@ struct Camera {
     double roll_deg = 0;                  ///< turns the camera clockwise about the view axis, the picture the other way
     double zoom = 1;                      ///< > 0
     std::optional<glm::dvec3> center_mm;  ///< none: the volume's centre
-    std::optional<double> fov_deg;        ///< none: orthographic; else 0 < fov < 180
+    std::optional<double> fov_deg;        ///< none: orthographic; else 0.01 <= fov < 180
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
@@ -42,7 +42,7 @@ struct ViewRays {
     glm::dvec2 project(const glm::dvec3& mm) const;
 };
 
-/// @throws Error(bad_usage) for zoom <= 0, a field of view outside (0, 180) or an image side outside 1..16384
+/// @throws Error(bad_usage) for zoom <= 0, a field of view outside [0.01, 180) or an image side outside 1..16384
 ViewRays resolve(const Camera& camera, const GridGeometry& geometry, glm::ivec2 image_size);
 
 }  // namespace lacuna

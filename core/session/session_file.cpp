@@ -122,6 +122,15 @@ std::string utc_now() {
     return text;
 }
 
+/// @throws Error(bad_input) for a camera no picture can be drawn with
+void check(const Camera& camera, const std::string& where) {
+    try {
+        resolve(camera, GridGeometry{}, {1, 1});
+    } catch (const Error& fault) {
+        throw Error(Errc::bad_input, where + ".camera: " + fault.what());
+    }
+}
+
 /// The data beside the session file where it is there, else where it was.
 std::string locate(const DataEntry& data, const fs::path& file) {
     if (!is_file_name(data.input) || data.relative.empty()) return data.input;
@@ -194,6 +203,7 @@ Session load_session(const fs::path& file) {
     Body body;
     FieldReader::read(json, body, where);
     check(body.settings, where);
+    check(body.camera, where);
     session.input = locate(body.data, file);
     session.options.series = body.data.series;
     session.options.raw = body.data.raw;

@@ -67,6 +67,8 @@ TEST(Scene, EachFaultIsRefusedAsBadUsage) {
         [&](Scene& s) { s.camera.azimuth_deg = nan; },
         [&](Scene& s) { s.camera.center_mm = glm::dvec3(nan); },
         [](Scene& s) { s.camera.fov_deg = 180; },
+        [](Scene& s) { s.camera.fov_deg = 1e-6; },
+        [&](Scene& s) { s.camera.fov_deg = nan; },
         [](Scene& s) {
             s.size = {0, 5};
         },

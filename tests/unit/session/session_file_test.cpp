@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -247,6 +248,24 @@ TEST_F(SessionFile, RefusesWhatIsNone) {
     EXPECT_NE(complaint(with_regions("{\"range_width\":0.1,\"connectivity\":7}")).find("18"), std::string::npos);
     EXPECT_NE(complaint("").find("cut short"), std::string::npos);
     EXPECT_THROW(load_session(folder / "none.lacuna"), Error);
+}
+
+TEST_F(SessionFile, ACameraNoPictureCanBeDrawnWithIsRefused) {
+    const auto complaint = [&](const Camera& camera) {
+        Session session = example();
+        session.camera = camera;
+        save_session(session, folder / "c.lacuna");
+        try {
+            load_session(folder / "c.lacuna");
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    EXPECT_EQ(complaint({}), "accepted");
+    for (const double fov : {1e-6, 0.0, -5.0, 180.0, std::nan("")})
+        EXPECT_NE(complaint({.fov_deg = fov}).find("c.lacuna.camera: The field of view"), std::string::npos) << fov;
+    EXPECT_NE(complaint({.zoom = 0}).find("zoom"), std::string::npos);
 }
 
 TEST_F(SessionFile, AnotherSizeIsNotDressedUp) {
