@@ -194,6 +194,7 @@ private:
         const Measured exact = found.front();
         const std::vector<ModePlan> plans = trades(scene_, exact.plan, budget_.error);
         const double rays = double(probe_[0].scene.size.x) * probe_[0].scene.size.y;
+        measure(probe_, exact.plan, 0);  // another one of its kind may have taken its structure's place
         std::vector<TooFarOff> off;
         std::size_t done = 0;
         for (const ModePlan& plan : plans) {
@@ -203,8 +204,9 @@ private:
                 refuse(plan, reason);
                 continue;
             }
-            const auto made = probe(plan);
+            auto made = probe(plan);
             if (!made) continue;
+            made->build_ms += exact.build_ms;  // its structure was there already
             if (!within_error(*made)) {
                 off.push_back({plan, made->error});
                 refuse(plan, fmt::format("{:.3g}/255 off on {:.0f} rays of this view; the budget is {:.3g}/255.",
@@ -228,7 +230,7 @@ private:
             other.plan.plan.structure = found[i].plan.plan.structure;
             other.plan.plan.cells = found[i].plan.plan.cells;
             other.ms *= found[i].ms / found[0].ms;
-            other.build_ms = found[i].build_ms;
+            other.build_ms += found[i].build_ms - found[0].build_ms;
             try {
                 check(other.plan.plan, scene_);
                 found.push_back(std::move(other));

@@ -541,6 +541,7 @@ Frame OpenClRenderer::cast_sparsely(const Cast& cast, const RayParams& params) {
 
 RenderResult OpenClRenderer::render(const Scene& scene, const Plan& plan, const JobContext& job, bool count) {
     return with_device_errors("rendering", [&] {
+        const Stopwatch call;
         RenderResult result;
         const bool whole = plan.brick == 0;
         whole ? hold_volume(scene.volume) : hold_bricks(scene, plan);
@@ -551,6 +552,9 @@ RenderResult OpenClRenderer::render(const Scene& scene, const Plan& plan, const 
         RayParams params = make_ray_params(scene, plan, whole ? volume_->stored_size() : size, tables);
         BoundStructure structure;  // bricks have each their own
         if (whole) structure = structures_.prepare(scene, plan, tables, params, result.build, job);
+        const bool built =
+            std::any_of(result.build.begin(), result.build.end(), [](const auto& made) { return made.second.ms > 0; });
+        const double prepared_ms = built ? 0 : call.ms();  // what is done for every picture
         const Cast cast{scene,        plan, tables, structure, job, count, whole ? volume_->voxels() : constants_,
                         &result.build};
         if (whole) caster(scene, plan, structure, count, false);  // compiled before the clock starts
@@ -559,7 +563,7 @@ RenderResult OpenClRenderer::render(const Scene& scene, const Plan& plan, const 
 
         const Stopwatch watch;
         result.frame = plan.sparse >= 2 ? cast_sparsely(cast, params) : cast_picture(cast, params, scene.size);
-        result.frame.ms = watch.ms();
+        result.frame.ms = prepared_ms + watch.ms();
         if (!whole) result.bricks = bricks_->counts;
         return result;
     });

@@ -20,7 +20,8 @@ public:
     /// Drops everything made for another volume.
     void hold(const Volume& volume);
     /// The structure the plan names and what else its kernels read (PlanBuffers), ready for the scene; what each took
-    /// goes into `build` under its name. Fills the parameters its traversal reads. @param tables null for modes without
+    /// goes into `build` under its name; min-max cells count with every structure made of them, the first time it is,
+    /// whoever made them. Fills the parameters its traversal reads. @param tables null for modes without
     /// a transfer function
     BoundStructure prepare(const Scene& scene, const Plan& plan, const TransferTables* tables, RayParams& params,
                            std::map<std::string, BuildRecord>& build, const JobContext& job);
@@ -46,6 +47,7 @@ private:
     std::vector<std::uint8_t> classes_;  ///< for class_key_
     std::optional<VisibilityKey> class_key_;
     std::map<Structure, std::shared_ptr<StructureFamily>> families_;  ///< pc, acd and eacd share one
+    std::map<Structure, unsigned> cells_told_;  ///< cells that were counted with a structure, bits by shift
 };
 
 }  // namespace lacuna

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/stopwatch.h"
 #include "core/compute/buffers.h"
 #include "core/render/segment_tables.h"
 
@@ -13,12 +14,30 @@ constexpr double k_float_slack = 1e-6;  // relative: interpolation may round bey
 }
 
 const MacrocellGrid& SharedCells::grid(const Volume& volume, int shift, const JobContext& job) {
-    if (!holds(shift)) {
+    const auto at = std::size_t(shift);
+    if (holds(shift)) {
+        found_ |= 1u << at;
+    } else {
+        const Stopwatch watch;
         MacrocellGrid made = build_macrocells(volume, shift, job);
-        if (int(grids_.size()) <= shift) grids_.resize(std::size_t(shift) + 1);
-        grids_[std::size_t(shift)] = std::move(made);
+        if (grids_.size() <= at) {
+            grids_.resize(at + 1);
+            made_ms_.resize(at + 1);
+        }
+        grids_[at] = std::move(made);
+        made_ms_[at] = watch.ms();
+        made_ |= 1u << at;
     }
-    return grids_[std::size_t(shift)];
+    return grids_[at];
+}
+
+double SharedCells::take_found_ms(unsigned& told) {
+    double sum = 0;
+    for (std::size_t at = 0; at < made_ms_.size(); ++at)
+        if ((found_ & ~made_ & ~told) >> at & 1u) sum += made_ms_[at];
+    told |= found_ | made_;
+    found_ = made_ = 0;
+    return sum;
 }
 
 ValueRange SharedCells::values(const Volume& volume, int shift, const JobContext& job) {

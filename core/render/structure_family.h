@@ -43,6 +43,10 @@ class SharedCells {
 public:
     /// The grid with cells of 2^shift voxels. Cost: one pass over the voxels the first time.
     const MacrocellGrid& grid(const Volume& volume, int shift, const JobContext& job);
+    /// What making the grids took that were asked for since the last call and were there already, ms; of what was made
+    /// since, the caller's own clock tells. `told` are bits by shift, of grids the caller knows of: they are left out,
+    /// and added.
+    double take_found_ms(unsigned& told);
     /// The smallest and largest value of all its cells, found once.
     ValueRange values(const Volume& volume, int shift, const JobContext& job);
     bool holds(int shift) const { return shift < int(grids_.size()) && !grids_[std::size_t(shift)].ranges.empty(); }
@@ -51,6 +55,8 @@ public:
 
 private:
     std::vector<MacrocellGrid> grids_;  // by shift
+    std::vector<double> made_ms_;       // likewise
+    unsigned found_ = 0, made_ = 0;     // bits by shift, since take_found_ms()
     std::optional<ValueRange> values_;
 };
 

@@ -1,6 +1,7 @@
 // The distance structures pc, acd and eacd against brute force on the same device.
 #include <gtest/gtest.h>
 
+#include "core/render/structure_family.h"
 #include "core/volume/samples.h"
 #include "tests/support/device_renderer.h"
 #include "tests/support/scenes.h"
@@ -281,6 +282,28 @@ TEST(DistanceStructures, FollowEveryEdit) {
     const Frame fresh = test::renderer(16).render(scene, plan_for(Structure::none, 8), {}, false).frame;
     EXPECT_LE(test::share_over(edited.frame, fresh, 1.0), 0);
     EXPECT_GT(own.render(scene, plan_for(Structure::pc, 4), {}, false).build.at("pc").ms, 0) << "other cells";
+}
+
+TEST(DistanceStructures, MinMaxCellsCountWithEachStructureMadeOfThemOnce) {
+    const Volume volume = sparse_volume();
+    SharedCells cells;
+    unsigned first = 0, second = 0;
+    cells.grid(volume, 3, {});
+    EXPECT_EQ(cells.take_found_ms(first), 0) << "the caller's own clock ran while they were made";
+    cells.grid(volume, 3, {});
+    EXPECT_EQ(cells.take_found_ms(first), 0) << "known of";
+    cells.grid(volume, 3, {});
+    const double found = cells.take_found_ms(second);
+    EXPECT_GT(found, 0) << "another structure needs them as much";
+    cells.grid(volume, 3, {});
+    cells.grid(volume, 2, {});
+    cells.grid(volume, 2, {});
+    EXPECT_EQ(cells.take_found_ms(second), 0);
+    unsigned third = 0;
+    cells.grid(volume, 3, {});
+    cells.grid(volume, 2, {});
+    EXPECT_GT(cells.take_found_ms(third), found) << "both sizes";
+    EXPECT_EQ(cells.take_found_ms(third), 0) << "none asked for since";
 }
 
 TEST(DistanceStructures, AStoppedBuildLeavesNothing) {
