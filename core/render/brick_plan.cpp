@@ -33,6 +33,8 @@ double structure_bytes(const Plan& plan) {
         case Structure::acd:
         case Structure::eacd:
             return plan.cells == 1 ? 18 : 0.5;
+        case Structure::leap:
+            return 10;  // 2 to 6 when it is made, and what making it takes
         default:
             return 0.5;
     }
@@ -88,6 +90,12 @@ glm::ivec3 ghost_voxels(const Scene& scene, const Plan& plan) {
     return 2 + glm::ivec3(glm::ceil(glm::dvec3(step_mm) / grid.spacing));
 }
 
+bool takes_whole_volume(const Plan& plan, const Scene& scene) {
+    if (scene.regions) return true;
+    // Equal voxels next to each other are a region of any brick they lie in; what else is one only the whole tells.
+    return plan.structure == Structure::leap && (plan.leap.kernel != Leaping::lossless || plan.homogeneity > 0);
+}
+
 bool fits_whole(const Scene& scene, const MemoryBudget& budget) {
     const std::uint64_t bytes = scene.volume.total_bytes();
     if (!scene.volume.in_memory() || too_many_voxels(scene)) return false;
@@ -99,11 +107,11 @@ Plan with_bricks(const Plan& plan, const Scene& scene, const MemoryBudget& budge
     Plan out = plan;
     const bool asked = plan.brick > 0;
     if (!asked && fits_whole(scene, budget)) return out;
-    if (plan.structure == Structure::leap || scene.regions)
+    if (takes_whole_volume(plan, scene))
         throw Error(Errc::unsupported, std::string("Regions are those of the whole volume, and this one ") +
                                            (too_many_voxels(scene) ? "has too many voxels to be drawn whole: "
                                                                    : "does not fit whole: raise --memory-limit, or ") +
-                                           "take another structure than leap and show all regions.");
+                                           "take another structure, or leap with homogeneity 0, and show all regions.");
     const std::uint64_t fixed = fixed_bytes(scene, budget);
     std::uint64_t left = budget.total > fixed ? budget.total - fixed : 0;
     if (budget.device_total) left = std::min(left, budget.device_total / 4 * 3);

@@ -25,6 +25,9 @@ std::uint64_t default_memory_limit();
 /// it in one buffer, and all together stays within the budget.
 bool fits_whole(const Scene& scene, const MemoryBudget& budget);
 
+/// Whether the plan and the scene ask for what only the whole volume tells, so that bricks cannot serve them.
+bool takes_whole_volume(const Plan& plan, const Scene& scene);
+
 /// The plan with bricks where the volume does not fit whole, or where the plan asks for them (brick > 0): their edge,
 /// what they may take together, and why.
 /// @throws Error(out_of_memory) naming the least limit where not even the smallest bricks fit

@@ -7,6 +7,7 @@
 
 #include "core/base/names.h"
 #include "core/classify/opacity_peaks.h"
+#include "core/render/brick_plan.h"
 
 namespace lacuna {
 
@@ -153,7 +154,8 @@ void add_method_reasons(Plan& plan, const Scene& scene) {
     if (scene.mode == ViewMode::ea && plan.structure == Structure::octree && plan.homogeneity > 0) {
         const auto peak = narrowest_peak(scene.classification);
         if (peak && *peak < plan.homogeneity)
-            add("A peak of the transfer function is narrower than the threshold: homogeneous nodes may hide it; pc, acd "
+            add("A peak of the transfer function is narrower than the threshold: homogeneous nodes may hide it; pc, "
+                "acd "
                 "and eacd compare opacities.");
     }
     if (plan.integration == Integration::preintegrated)
@@ -289,18 +291,23 @@ void check(const Plan& plan, const Scene& scene) {
     if (!(plan.homogeneity >= 0) || !(plan.homogeneity_angle_deg >= 0 && plan.homogeneity_angle_deg <= 180))
         throw Error(Errc::bad_usage,
                     "The homogeneity threshold must not be negative, its angle lie within 0 to 180 degrees.");
+    const bool distances =
+        plan.structure == Structure::pc || plan.structure == Structure::acd || plan.structure == Structure::eacd;
+    if (distances && plan.homogeneity > 1)
+        throw Error(Errc::bad_usage,
+                    "The homogeneity of pc, acd and eacd is a difference of opacities: it must lie "
+                    "within 0 to 1.");
     if (plan.cells != 1 && plan.cells != 4 && plan.cells != 8 && plan.cells != 16)
         throw Error(Errc::bad_usage, "The macro-cell edge must be 1, 4, 8 or 16 voxels.");
     if (plan.brick != 0 && (plan.brick < k_least_brick || plan.brick > k_largest_brick))
         throw Error(Errc::bad_usage, "The brick edge must lie between 8 and 1024 voxels; 0: no bricks.");
     if (plan.brick != 0 && scene.mode == ViewMode::shear_warp)
         throw Error(Errc::bad_usage, "Shear-warp does not work on bricks; use mode iso.");
-    if (plan.brick != 0 &&
-        (scene.regions || (plan.structure == Structure::leap && plan.leap.kernel != Leaping::lossless)))
+    if (plan.brick != 0 && takes_whole_volume(plan, scene))
         throw Error(
             Errc::bad_usage,
-            "Regions and leaping kernels need the whole volume at hand, not bricks of it; leave one out, or raise "
-            "the memory limit.");
+            "Regions, leaping kernels and leap above homogeneity 0 need the whole volume at hand, not bricks of "
+            "it; leave one out, or raise the memory limit.");
     if (scene.regions && ((scene.mode == ViewMode::iso && plan.refine == Refinement::cubic) ||
                           (scene.mode == ViewMode::ea && plan.integration == Integration::preintegrated) ||
                           (plan.sampler == Sampler::adaptive && !scene.regions.functions.empty())))

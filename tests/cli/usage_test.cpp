@@ -114,6 +114,8 @@ TEST_F(Usage, FlagsThatDoNotGoTogether) {
     refuse({"--mode", "shear-warp", "--sampler", "adaptive"}, "nearest or linear");
     refuse({"--integration", "preintegrated", "--sampler", "adaptive"}, "linear");
     refuse({"--integration", "preintegrated", "--homogeneity", "0.1"}, "riemann");
+    refuse({"--structure", "acd", "--homogeneity", "1.5"}, "opacities");
+    refuse({"--structure", "leap", "--homogeneity", "0.1", "--brick", "16"}, "bricks");
     expect_failure(lacuna({"render", "sample:head@16", "-o", out, "--mode", "shear-warp", "--regions", "hide"}), 2,
                    "--regions");
     expect_failure(lacuna({"render", "sample:head@16", "-o", out, "--range-width", "0.1"}), 2, "--regions");
@@ -124,6 +126,7 @@ TEST_F(Usage, FlagsThatDoNotGoTogether) {
                    "lossless");
     expect_failure(lacuna({"regions", "sample:head@16", "--threshold", "0,1", "--range-width", "0.1"}), 2,
                    "--threshold");
+    expect_failure(lacuna({"regions", "sample:head@16", "--threshold", "0,1", "--mesh-format", "ply"}), 2, "--mesh");
     expect_failure(lacuna({"render", "sample:head@16", "-o", path("a.jpg")}), 2, "a.jpg");
     EXPECT_TRUE(files().empty());
 }

@@ -156,9 +156,39 @@ void add_structures(std::vector<Case>& cases) {
         }
 }
 
+/// Air and two values, one of them a core that bricks of 16 voxels cut through.
+template <class T>
+Volume plateaus() {
+    GridGeometry grid;
+    grid.size = {44, 41, 37};
+    grid.spacing = {1, 1, 1.5};
+    return make_volume<T>(grid, [&](auto voxels) {
+        for (std::size_t i = 0; i < voxels.size(); ++i) {
+            const int x = int(i % 44), y = int(i / 44 % 41), z = int(i / (44 * 41));
+            const bool box = x > 3 && x < 40 && y > 2 && y < 38 && z > 2 && z < 34, core = box && x > 12 && z > 11;
+            voxels[i] = T(core ? 200 : box ? 120 : 3);
+        }
+    });
+}
+
+/// Leaps through equal voxels, region by region of each brick; f32 by its quantisation.
+void add_leaps(std::vector<Case>& cases) {
+    const auto add = [&](const Volume& volume, ViewMode mode, const char* name) {
+        Case c{std::string("leap_") + name + "_" + std::string(name_of(mode)), test::small_scene(volume, mode),
+               exact_plan(Structure::leap), 16};
+        c.plan.leap.min_voxels = 8;
+        if (volume.type() == VoxelType::f32) c.plan.leap.quantisation = ValueRange{0, 32767};
+        c.scene.classification.tf = {"glass", 1.0, {{50, {1, 0.5, 0}, 0}, {255, {0, 1, 1}, 0.06}}, {}};
+        cases.push_back(c);
+    };
+    for (const ViewMode mode : {ViewMode::iso, ViewMode::ea, ViewMode::lmip}) add(plateaus<std::uint8_t>(), mode, "u8");
+    add(plateaus<float>(), ViewMode::ea, "f32");
+}
+
 std::vector<Case> make_cases() {
     std::vector<Case> cases;
     add_views(cases);
+    add_leaps(cases);
     add_surfaces(cases);
     add_volumes(cases);
     add_structures(cases);
@@ -329,6 +359,29 @@ TEST(BrickStreaming, AStoppedPictureLeavesAWorkingRenderer) {
         EXPECT_THROW(renderer.render(scene, plan, job, false), Error);
     }
     EXPECT_LE(test::share_over(renderer.render(scene, plan, {}, false).frame, truth, 0.01), 0);
+}
+
+TEST(BrickStreaming, LeapsWithinEachBrickAndRefusesRegionsOfTheWhole) {
+    LACUNA_NEEDS_DEVICE();
+    Scene scene = test::small_scene(plateaus<std::uint8_t>(), ViewMode::ea, {96, 96});
+    scene.classification.tf = {"glass", 1.0, {{50, {1, 0.5, 0}, 0}, {255, {0, 1, 1}, 0.06}}, {}};
+    scene.shading = Shading::none;
+    Plan plan = exact_plan(Structure::leap);
+    plan.leap.min_voxels = 8;
+    OpenClRenderer renderer(test::device());
+    const RenderResult leaping = renderer.render(scene, in_bricks(plan, 20), {}, true);
+    const Frame plain = renderer.render(scene, in_bricks(exact_plan(Structure::none), 20), {}, true).frame;
+    EXPECT_GT(leaping.frame.counters.structure_reads, 0u);
+    EXPECT_LT(double(leaping.frame.counters.samples), 0.8 * double(plain.counters.samples));
+    EXPECT_GT(leaping.build.at("leap").bytes, 0u);
+    plan.homogeneity = 0.1;
+    EXPECT_THROW(check(in_bricks(plan, 20), scene), Error);
+    MemoryBudget small;
+    small.device_allocation = 20000;
+    EXPECT_THROW(with_bricks(plan, scene, small), Error);
+    plan.homogeneity = 0;
+    small.total = std::uint64_t(1) << 30;
+    EXPECT_EQ(with_bricks(plan, scene, small).brick, 32);
 }
 
 TEST(BrickStreaming, TheEngineCutsWhatDoesNotFit) {
