@@ -72,6 +72,8 @@ void BenchOptions::check_words() const {
         refuse_if_given("--scene", !only.empty(), "goes with a scene file (.json)");
         refuse_if_given("--data", !data.empty(), "goes with a scene file (.json)");
     }
+    refuse_if_given("--json", list && !json.empty(), "does not go with --list, which measures nothing");
+    refuse_if_given("--chart", list && !chart.empty(), "does not go with --list, which measures nothing");
 }
 
 void BenchOptions::parse() {
@@ -108,6 +110,9 @@ std::vector<SceneWords> BenchOptions::scenes_of_input() const {
         const std::string mode = rest.substr(0, comma);
         rest = comma == std::string::npos ? "" : rest.substr(comma + 1);
         for_flag("--modes", [&] { return parse_view_mode(mode); });
+        if (std::any_of(made.begin(), made.end(),
+                        [&](const SceneWords& s) { return s.words.back() == "--mode=" + mode; }))
+            refuse("--modes", *modes, "a list of view modes, each once");
         made.push_back({fmt::format("{}, {}", name, mode), shared});
         made.back().words.push_back("--mode=" + mode);
     }
@@ -159,10 +164,8 @@ int run_bench(BenchOptions& options, Console& console) {
         results.push_back(
             sweep(engine, opened, sweeping,
                   console.job(fmt::format("{} ({}/{})", opened.name, results.size() + 1, scenes.size()))));
-        if (!console.quiet) {
-            console.clear_progress();
+        if (!console.quiet || (options.json.empty() && options.chart.empty()))
             console.print(sweep_table(results.back()) + "\n");
-        }
     }
     const auto measured = [](const SceneResult& result) {
         return std::any_of(result.points.begin(), result.points.end(),

@@ -7,6 +7,7 @@
 #include <deque>
 
 #include "core/accuracy/truth.h"
+#include "core/base/deadline.h"
 #include "core/base/names.h"
 #include "core/base/stopwatch.h"
 
@@ -17,7 +18,9 @@ namespace {
 constexpr NameTable<FrontError, 3> k_front_names{
     {{FrontError::max, "max"}, {FrontError::mean, "mean"}, {FrontError::flip, "flip"}}};
 
-constexpr double k_warm_share = 0.6;  // of the time limit, for the first drawing of all plans
+// Of the time limit, so much may be over when the reference was held against finer ones, and when all plans were drawn
+// for the first time.
+constexpr double k_reference_share = 0.3, k_warm_share = 0.6;
 constexpr const char* k_no_time = "Not measured: the time set for this run was over.";
 
 /// The q-quantile of values, linear between them.
@@ -70,15 +73,20 @@ public:
         result_.name = scene_.name;
         result_.command = scene_.command;
         std::vector<Candidate> found = candidates(scene_.scene, scene_.step, options_.extent);
-        draw_truths(found.front().plan);
         for (const Candidate& candidate : found) {
             SweepPoint& point = result_.points.emplace_back();
             point.plan = candidate.plan;
             point.refused = candidate.refused;
         }
-        measure_reference(found.front().plan.plan, job_.part(0.05, 0.15));
-        warm_up(job_.part(0.15, 0.55));
-        take_times(job_.part(0.55, 1));
+        if (draw_truths(found.front().plan)) {
+            measure_reference(found.front().plan.plan, job_.part(0.05, 0.15));
+            warm_up(job_.part(0.15, 0.55));
+            take_times(job_.part(0.55, 1));
+        } else {
+            result_.of_reference.unmeasured = k_no_time;
+            for (SweepPoint& point : result_.points)
+                if (point.refused.empty()) point.refused = k_no_time;
+        }
         std::stable_partition(result_.points.begin(), result_.points.end(),
                               [](const SweepPoint& p) { return p.refused.empty(); });
         mark_front(result_.points, options_.front);
@@ -92,19 +100,29 @@ private:
         scene.mode = mode;
         return scene;
     }
-    RenderResult draw(std::size_t view, const ModePlan& plan) {
-        return engine_.render(shown(view, plan.mode), plan.plan, {job_.stop});
+    RenderResult draw(std::size_t view, const ModePlan& plan, const Deadline& until) {
+        return engine_.render(shown(view, plan.mode), plan.plan, {until.token()});
     }
+    /// @return seconds from now until this share of the time limit is over
+    double left_s(double share) const { return share * options_.time_limit_s - watch_.ms() * 1e-3; }
 
-    void draw_truths(const ModePlan& reference) {
-        check(shown(0, scene_.scene.mode));
-        for (std::size_t view = 0; view < scene_.views.size(); ++view) {
-            truths_.emplace_back(draw(view, reference).frame, scene_.scene.background);
-            job_.part(0, 0.05).checkpoint(view + 1, scene_.views.size());
-        }
+    /// @return whether the time sufficed for all views
+    bool draw_truths(const ModePlan& reference) {
         const Plan& plan = reference.plan;
         result_.reference = fmt::format("structure {}, ert {:g}, step {:g}, sampler {}, on the device measured",
                                         name_of(plan.structure), plan.ert, plan.step, name_of(plan.sampler));
+        check(shown(0, scene_.scene.mode));
+        const Deadline until(job_.stop, left_s(1));
+        try {
+            for (std::size_t view = 0; view < scene_.views.size(); ++view) {
+                truths_.emplace_back(draw(view, reference, until).frame, scene_.scene.background);
+                job_.part(0, 0.05).checkpoint(view + 1, scene_.views.size());
+            }
+        } catch (const Error& error) {
+            if (!until.ended(error)) throw;
+            return false;
+        }
+        return true;
     }
 
     /// What a view's picture is off by, added to the point.
@@ -127,18 +145,15 @@ private:
     }
 
     void warm_up(const JobContext& job) {
+        const Deadline until(job_.stop, left_s(k_warm_share));
         std::size_t done = 0;
         for (SweepPoint& point : result_.points) {
             job.checkpoint(done++, result_.points.size());
             if (!point.refused.empty()) continue;
-            if (watch_.ms() * 1e-3 > k_warm_share * options_.time_limit_s) {
-                point.refused = k_no_time;
-                continue;
-            }
             try {
                 engine_.drop_caches();
                 for (std::size_t view = 0; view < scene_.views.size(); ++view) {
-                    const RenderResult drawn = draw(view, point.plan);
+                    const RenderResult drawn = draw(view, point.plan, until);
                     std::size_t bytes = 0;  // held now: other views may have added to a structure
                     for (const auto& [name, made] : drawn.build) {
                         point.build_ms += made.ms;
@@ -148,17 +163,17 @@ private:
                     compare_view(point, view, drawn.frame);
                 }
             } catch (const Error& error) {
-                if (error.code() == Errc::cancelled) throw;
-                point.refused = error.what();
+                if (error.code() == Errc::cancelled && !until.ended(error)) throw;
+                point.refused = until.ended(error) ? k_no_time : error.what();
             }
         }
     }
 
     /// One visit: the mean time of the views, after an untimed frame.
-    double visit(const ModePlan& plan) {
-        draw(0, plan);
+    double visit(const ModePlan& plan, const Deadline& until) {
+        draw(0, plan, until);
         double sum = 0;
-        for (std::size_t view = 0; view < scene_.views.size(); ++view) sum += draw(view, plan).frame.ms;
+        for (std::size_t view = 0; view < scene_.views.size(); ++view) sum += draw(view, plan, until).frame.ms;
         return sum / double(scene_.views.size());
     }
 
@@ -168,15 +183,16 @@ private:
             if (point.refused.empty()) measured.push_back(&point);
         std::vector<std::vector<double>> times(measured.size());
         const std::size_t total = measured.size() * std::size_t(options_.rounds);
-        std::size_t done = 0;
-        bool in_time = true;
-        for (int round = 0; round < options_.rounds && in_time && !measured.empty(); ++round) {
-            for (std::size_t k = 0; k < measured.size() && in_time; ++k) {
+        const Deadline until(job_.stop, left_s(1));
+        try {
+            for (std::size_t done = 0; done < total; ++done) {
+                const std::size_t round = done / measured.size(), k = done % measured.size();
                 const std::size_t i = round % 2 ? measured.size() - 1 - k : k;
-                times[i].push_back(visit(measured[i]->plan));
-                job.checkpoint(++done, total);
-                in_time = watch_.ms() * 1e-3 < options_.time_limit_s;
+                times[i].push_back(visit(measured[i]->plan, until));
+                job.checkpoint(done + 1, total);
             }
+        } catch (const Error& error) {
+            if (!until.ended(error)) throw;
         }
         result_.rounds = measured.empty() ? 0 : options_.rounds;
         for (std::size_t i = 0; i < measured.size(); ++i) {
@@ -194,15 +210,25 @@ private:
 
     /// The reference's own errors, on a picture small enough that the finest step costs seconds.
     void measure_reference(const Plan& plan, const JobContext& job) {
+        if (scene_.scene.mode == ViewMode::shear_warp) return;
+        const Deadline until(job_.stop, left_s(k_reference_share));
+        try {
+            hold_reference(plan, {until.token(), job.progress});
+        } catch (const Error& error) {
+            if (!until.ended(error)) throw;
+            result_.of_reference.unmeasured = k_no_time;
+        }
+    }
+
+    void hold_reference(const Plan& plan, const JobContext& job) {
         const ViewMode mode = scene_.scene.mode;
-        if (mode == ViewMode::shear_warp) return;
         Scene small = shown(0, mode);
         // Where time is short it is for the plans.
         const int smaller = options_.extent == SweepExtent::quick || std::isfinite(options_.time_limit_s) ? 8 : 4;
         small.size = glm::max(small.size / smaller, glm::min(small.size, glm::ivec2(48)));
-        const Frame frame = engine_.render(small, plan, {job.stop}).frame;
         ReferenceErrors& errors = result_.of_reference;
         errors.size = small.size;
+        const Frame frame = engine_.render(small, plan, {job.stop}).frame;
         const auto against = [&](Truth truth, const AnalyticSample* sample, const JobContext& part) {
             const TrueFrame made = render_truth(truth, small, plan, sample, part);
             ImageError error = compare(frame, made.frame, small.background);

@@ -33,8 +33,9 @@ FrontError parse_front_error(std::string_view text);
 
 struct SweepOptions {
     SweepExtent extent = SweepExtent::full;
-    int rounds = 5;                                                 ///< times every plan is measured, all in turn
-    double time_limit_s = std::numeric_limits<double>::infinity();  ///< what is not measured by then says so
+    int rounds = 5;  ///< times every plan is measured, all in turn
+    double time_limit_s =
+        std::numeric_limits<double>::infinity();  ///< what is not measured by then is left in its middle and says so
     FrontError front = FrontError::max;
     bool closed_form = true;  ///< hold the reference against a sample's formula, too; seconds a scene
 };
@@ -60,6 +61,8 @@ struct ReferenceErrors {
     std::optional<ImageError> fine;         ///< against a 16 times finer step in double precision
     std::optional<ImageError> closed_form;  ///< against the sample's formula; none where it has no colours
     std::optional<SurfaceError> closed_form_surface;
+    std::string unmeasured =
+        {};  ///< why what is missing above was not measured, where that is not for want of a formula
 };
 
 struct SceneResult {

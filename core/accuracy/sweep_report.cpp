@@ -52,6 +52,7 @@ ordered_json json_of(const ReferenceErrors& errors) {
     add("fine", errors.fine);
     add("closed_form", errors.closed_form);
     add("closed_form_surface", errors.closed_form_surface);
+    if (!errors.unmeasured.empty()) json["unmeasured"] = errors.unmeasured;
     return json;
 }
 
@@ -176,6 +177,8 @@ std::string sweep_table(const SceneResult& scene) {
     if (const auto& fine = scene.of_reference.fine)
         text += fmt::format("the reference itself: max {:.3g}/255, mean {:.3g}/255 from a 16 times finer step\n",
                             fine->max, fine->mean);
+    if (!scene.of_reference.unmeasured.empty())
+        text += "the reference itself, in part: " + scene.of_reference.unmeasured + "\n";
     text += fmt::format("  {:<11} {:<34} {:>8} {:>15} {:>9} {:>8} {:>7} {:>8} {:>7} {:>7}\n", "structure", "plan", "ms",
                         "quartiles", "build ms", "MiB", "max", "mean", "SSIM", "FLIP");
     for (const SweepPoint* p : order)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <thread>
 
 #include "core/accuracy/sweep_report.h"
 #include "core/base/atomic_file.h"
@@ -152,8 +153,8 @@ TEST(Sweep, ASampleIsHeldAgainstItsFormula) {
     scene.views = {scene.scene.camera};
     scene.sample = [](const JobContext& job) { return make_sample("spheres", {.size = 24}, job); };
     SweepOptions options = quickly(1);
-    options.time_limit_s = 1e-9;  // the reference alone
     const SceneResult result = sweep(engine(), scene, options);
+    EXPECT_EQ(result.of_reference.unmeasured, "");
     ASSERT_TRUE(result.of_reference.closed_form && result.of_reference.closed_form_surface);
     EXPECT_GT(result.of_reference.closed_form_surface->both, 50u);
     EXPECT_LT(result.of_reference.closed_form_surface->mean_voxels, 0.5);
@@ -167,8 +168,31 @@ TEST(Sweep, WhatTheTimeDidNotSufficeForSaysSo) {
     const SceneResult result = sweep(engine(), small(ViewMode::ea), options);
     for (const SweepPoint& p : result.points) EXPECT_NE(p.refused, "") << "nothing measured is nothing claimed";
     EXPECT_EQ(result.rounds, 0);
-    EXPECT_NO_THROW(sweep_table(result));
+    EXPECT_NE(result.of_reference.unmeasured, "");
+    EXPECT_FALSE(result.of_reference.device || result.of_reference.fine);
+    EXPECT_NE(sweep_table(result).find(result.of_reference.unmeasured), std::string::npos);
     EXPECT_NO_THROW(sweep_chart("device", {result}, FrontError::max));
+    const JsonSchema schema(nlohmann::json::parse(read_file(LACUNA_SOURCE_DIR "/docs/schemas/bench.schema.json")));
+    EXPECT_TRUE(schema.faults(nlohmann::json::parse(sweep_json("device", {result}, FrontError::max))).empty());
+}
+
+TEST(Sweep, ALongTruthIsLeftInItsMiddleAndThePlansAreStillMeasured) {
+    SweepScene scene = small(ViewMode::mip);
+    bool left = false;
+    scene.sample =
+        [&](const JobContext& job) -> AnalyticSample {  // a truth that ends when it is stopped, and never else
+        while (!job.stopped()) std::this_thread::yield();
+        left = true;
+        job.check();
+        return {};
+    };
+    SweepOptions options = quickly(1);
+    options.time_limit_s = 20;
+    const SceneResult result = sweep(engine(), scene, options);
+    EXPECT_TRUE(left);
+    EXPECT_NE(result.of_reference.unmeasured, "");
+    EXPECT_TRUE(result.of_reference.fine) << "what was there in time is kept";
+    EXPECT_TRUE(result.points.front().refused.empty());
 }
 
 TEST(Sweep, StopsAndReportsProgress) {
