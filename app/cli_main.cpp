@@ -112,7 +112,8 @@ int run(int argc, char** argv) {
     add_devices_command(app, chosen);
     add_tf_command(app, chosen);
     for (CLI::App* command : app.get_subcommands({}))
-        command->add_flag("-q,--quiet", console.quiet, "no progress, no notes");
+        command->add_flag("-q,--quiet", console.quiet,
+                          "no progress, no notes; what could not be kept is said all the same");
 
     std::set<std::string> switches;
     collect_switches(app, switches);
@@ -129,7 +130,7 @@ int run(int argc, char** argv) {
 
     try {
         const int status = chosen(console);
-        console.say_notes_at_end();
+        console.say_at_end();
         console.clear_progress();
         return status;
     } catch (const Error& error) {

@@ -94,8 +94,10 @@ void Console::note(std::string_view line) const {
     if (!quiet) std::fprintf(stderr, "lacuna: %.*s\n", int(line.size()), line.data());
 }
 
-void Console::say_notes_at_end() const {
-    for (const std::string& line : at_end_) note(line);
+void Console::say_at_end() const {
+    clear_progress();
+    for (const auto& [line, wanted] : at_end_)
+        if (wanted) std::fprintf(stderr, "lacuna: %s\n", line.c_str());
     at_end_.clear();
 }
 

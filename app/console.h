@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/job.h"
@@ -30,12 +31,14 @@ public:
     /// One line on standard error, unless --quiet.
     void note(std::string_view line) const;
     /// A note that follows the result; a failure has the one line that says why, and no other.
-    void note_at_end(std::string line) const { at_end_.push_back(std::move(line)); }
-    void say_notes_at_end() const;
+    void note_at_end(std::string line) const { at_end_.emplace_back(std::move(line), !quiet); }
+    /// Likewise, but said with --quiet, too: what was asked for is not what was done.
+    void warn_at_end(std::string line) const { at_end_.emplace_back(std::move(line), true); }
+    void say_at_end() const;
 
 private:
     std::stop_token stop_;
-    mutable std::vector<std::string> at_end_;
+    mutable std::vector<std::pair<std::string, bool>> at_end_;  // and whether it is to be said
 };
 
 /// Refuses a target that could not be written in the end, before hours of work: its folder must exist and take new

@@ -19,7 +19,8 @@ namespace {
 struct RegionsWords {
     InputOptions input;
     std::optional<std::string> range_width, threshold, background, connectivity, min_voxels, gradient_limit;
-    std::string labels, mesh_folder, mesh_format = "stl", json, csv;
+    std::string labels, mesh_folder, json, csv;
+    std::optional<std::string> mesh_format;
     bool inner = false, merge_slivers = false, exact_surfaces = false, no_surfaces = false;
 
     bool wants_surfaces() const { return !no_surfaces && !(json.empty() && csv.empty()); }
@@ -58,8 +59,9 @@ RegionOptions parse_options(const RegionsWords& words) {
     if (words.exact_surfaces && (!words.threshold || words.mesh_folder.empty()))
         throw Error(Errc::bad_usage, "--exact-surfaces goes with --threshold and --mesh.");
     const char* const formats[] = {"stl", "ply", "obj", "vtp"};
-    if (std::find(std::begin(formats), std::end(formats), words.mesh_format) == std::end(formats))
-        refuse("--mesh-format", words.mesh_format, "stl, ply, obj or vtp");
+    if (words.mesh_format && std::find(std::begin(formats), std::end(formats), *words.mesh_format) == std::end(formats))
+        refuse("--mesh-format", *words.mesh_format, "stl, ply, obj or vtp");
+    if (words.mesh_format && words.mesh_folder.empty()) throw Error(Errc::bad_usage, "--mesh-format goes with --mesh.");
     return options;
 }
 
@@ -179,7 +181,7 @@ void write_meshes(const Volume& volume, const RegionTable& table, const RegionsW
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
         const JobContext quiet{job.stop, nullptr};
         folder.add(mesh_of(volume, table, table.rows[i], words.exact_surfaces, quiet),
-                   fmt::format("region-{:05}.{}", table.rows[i].id, words.mesh_format));
+                   fmt::format("region-{:05}.{}", table.rows[i].id, words.mesh_format.value_or("stl")));
         job.checkpoint(i + 1, table.rows.size());
     }
     folder.keep();

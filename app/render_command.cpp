@@ -140,7 +140,7 @@ int run_render(RenderOptions& options, Console& console) {
         const PlannedPlan planned = choose_plan(engine, scene, *budget, console.job("Planning"));
         plan = planned.plan;
         if (!planned.meets_budget)
-            console.note_at_end(
+            console.warn_at_end(
                 fmt::format("the time budget cannot be kept: the fastest plan found takes {:.3g} ms", planned.ms));
     }
     plan = engine.fitted(plan, scene);

@@ -171,6 +171,9 @@ TEST_F(Bench, WordsWithoutUseAreRefused) {
     expect_failure(lacuna({"bench", "sample:head@16", "--list", "--scene", "a"}), 2, "--scene");
     expect_failure(lacuna({"bench", "sample:head@16", "--list", "--data", "."}), 2, "--data");
     expect_failure(lacuna({"bench", "sample:head@16", "--list", "--modes", ""}), 2, "--modes");
+    expect_failure(lacuna({"bench", "sample:head@16", "--list", "--modes", "iso,mip,iso"}), 2, "each once");
+    expect_failure(lacuna({"bench", "sample:head@16", "--list", "--json", path("b.json")}), 2, "--list");
+    expect_failure(lacuna({"bench", "sample:head@16", "--list", "--chart", path("b.svg")}), 2, "--list");
     write(path("s.json"), R"({"scenes":[{"name":"a","input":"sample:head@16","zoom":[]}]})");
     expect_failure(of_file({}), 1, "zoom");
 }
@@ -187,6 +190,24 @@ TEST_F(Bench, NothingMeasuredIsNoResult) {
                                     "--time-limit", "1e-9", "--quiet", "--json", path("b.json")});
     expect_failure(outcome, 1, "--time-limit");
     EXPECT_TRUE(files().empty());
+}
+
+TEST_F(Bench, QuietWithoutAFileTheTableIsTheResult) {
+    const Outcome outcome =
+        lacuna({"bench", "sample:head@16", "--quick", "--modes", "mip", "--size", "16x16", "--rounds", "1", "--quiet"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_NE(outcome.out.find("macrocells"), std::string::npos);
+}
+
+TEST_F(Bench, ABudgetThatCannotBeKeptIsSaidWithQuietToo) {
+    const std::vector<std::string> words{"render", "sample:head@16", "-o",   path("a.png"), "--size",
+                                         "24x24",  "--time-budget",  "1e-6", "--quiet"};
+    const Outcome outcome = lacuna(words);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_TRUE(outcome.err.starts_with("lacuna: the time budget cannot be kept")) << outcome.err;
+    EXPECT_EQ(outcome.error_lines(), 1);
 }
 
 TEST_F(Bench, InterruptedItLeavesNothing) {
