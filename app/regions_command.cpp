@@ -62,6 +62,8 @@ RegionOptions parse_options(const RegionsWords& words) {
     if (words.mesh_format && std::find(std::begin(formats), std::end(formats), *words.mesh_format) == std::end(formats))
         refuse("--mesh-format", *words.mesh_format, "stl, ply, obj or vtp");
     if (words.mesh_format && words.mesh_folder.empty()) throw Error(Errc::bad_usage, "--mesh-format goes with --mesh.");
+    if (words.no_surfaces && words.json.empty() && words.csv.empty())
+        throw Error(Errc::bad_usage, "--no-surfaces goes with --json or --csv.");
     return options;
 }
 

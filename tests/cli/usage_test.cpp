@@ -127,6 +127,7 @@ TEST_F(Usage, FlagsThatDoNotGoTogether) {
     expect_failure(lacuna({"regions", "sample:head@16", "--threshold", "0,1", "--range-width", "0.1"}), 2,
                    "--threshold");
     expect_failure(lacuna({"regions", "sample:head@16", "--threshold", "0,1", "--mesh-format", "ply"}), 2, "--mesh");
+    expect_failure(lacuna({"regions", "sample:head@16", "--threshold", "0,1", "--no-surfaces"}), 2, "--no-surfaces");
     expect_failure(lacuna({"render", "sample:head@16", "-o", path("a.jpg")}), 2, "a.jpg");
     EXPECT_TRUE(files().empty());
 }

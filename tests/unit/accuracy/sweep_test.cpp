@@ -187,7 +187,7 @@ TEST(Sweep, ALongTruthIsLeftInItsMiddleAndThePlansAreStillMeasured) {
         return {};
     };
     SweepOptions options = quickly(1);
-    options.time_limit_s = 20;
+    options.time_limit_s = 8;
     const SceneResult result = sweep(engine(), scene, options);
     EXPECT_TRUE(left);
     EXPECT_NE(result.of_reference.unmeasured, "");
