@@ -10,6 +10,7 @@
 #include "ui/views/slice_annotations.h"
 #include "ui/views/slice_image.h"
 #include "ui/views/slice_plane.h"
+#include "ui/widgets/histogram_shape.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/range_slider.h"
 #include "ui/widgets/transfer_plot.h"
@@ -294,6 +295,17 @@ TEST(MessageBar, AQuestionOutlastsWhatElseIsSaid) {
     bar.ask(QStringLiteral("Two?"), {{QStringLiteral("Yes"), [] {}}});
     EXPECT_EQ(bar.text(), QStringLiteral("Two?"));
     EXPECT_EQ(bar.answerButtons().size(), 1);
+}
+
+// A plot of attenuation coefficients under colours for Hounsfield units: most columns lie 2^31 bins and more away.
+TEST(HistogramShape, ColumnsFarBesideTheDataStayEmpty) {
+    std::vector<std::uint64_t> counts(4096, 0);
+    counts.back() = 100;
+    const QRectF plot(10, 20, 100, 50);
+    const QPainterPath path = histogram_shape(counts, {0, 0.004}, {-1000, 3000}, false, plot);
+    ASSERT_EQ(path.elementCount(), 102);  // from the corner over every column to the other corner
+    for (int column = 0; column < 100; ++column)
+        EXPECT_EQ(path.elementAt(column + 1).y, column == 25 ? plot.top() : plot.bottom()) << column;
 }
 
 }  // namespace

@@ -14,10 +14,13 @@ QPainterPath histogram_shape(const std::vector<std::uint64_t>& counts, ValueRang
     const double values_per_column = shown.width() / columns;
     double highest = logarithmic ? 1 : 1e-9;
     for (int x = 0; x < columns; ++x) {
-        const double from = (shown.lo + x * values_per_column - range.lo) * bins_per_value;
-        const double to = from + values_per_column * bins_per_value;
-        const int first = std::max(0, int(std::floor(from)));
-        const int last = std::min(int(counts.size()) - 1, std::max(int(std::floor(from)), int(std::ceil(to)) - 1));
+        // Values far beside a narrow range lie more bins away than an int can count.
+        const auto bin_at = [&](double columns_on) {
+            return std::clamp((shown.lo + columns_on * values_per_column - range.lo) * bins_per_value, -1.0,
+                              double(counts.size()));
+        };
+        const int from = int(std::floor(bin_at(x))), to = int(std::ceil(bin_at(x + 1)));
+        const int first = std::max(0, from), last = std::min(int(counts.size()) - 1, std::max(from, to - 1));
         std::uint64_t peak = 0;
         for (int bin = first; bin <= last; ++bin) peak = std::max(peak, counts[std::size_t(bin)]);
         column[std::size_t(x)] = logarithmic ? std::log1p(double(peak)) : double(peak);
