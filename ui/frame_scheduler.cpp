@@ -1,8 +1,9 @@
 #include "ui/frame_scheduler.h"
 
-#include <QLocale>
 #include <algorithm>
 #include <cmath>
+
+#include "ui/number_text.h"
 
 namespace lacuna::ui {
 
@@ -12,7 +13,7 @@ QString describe(const Scene& scene, const Plan& plan) {
     return FrameScheduler::tr("%1 · %2 · step %3")
         .arg(QString::fromUtf8(name_of(scene.mode).data(), qsizetype(name_of(scene.mode).size())),
              QString::fromUtf8(name_of(plan.structure).data(), qsizetype(name_of(plan.structure).size())))
-        .arg(QLocale().toString(plan.step, 'g', 3));
+        .arg(number_text(plan.step, 'g', 3));
 }
 
 DrawnFrame to_drawn(Frame frame) {

@@ -17,6 +17,7 @@
 #include "ui/features/presets_feature.h"
 #include "ui/features/recent_feature.h"
 #include "ui/features/view_history_feature.h"
+#include "ui/number_text.h"
 #include "ui/preferences.h"
 #include "ui/series_dialog.h"
 
@@ -350,17 +351,20 @@ void MainWindow::readOut(const glm::ivec3& voxel) {
     const double value = volume.value(voxel.x, voxel.y, voxel.z);
     const glm::dvec3 mm = volume.geometry().voxel_to_mm(glm::dvec3(voxel));
     const auto side = [](double at, char positive, char negative) {
-        return QStringLiteral("%1 %2").arg(QLatin1Char(at < 0 ? negative : positive)).arg(std::abs(at), 0, 'f', 2);
+        return QStringLiteral("%1 %2")
+            .arg(QLatin1Char(at < 0 ? negative : positive))
+            .arg(number_text(std::abs(at), 'f', 2));
     };
-    status_->showReadout(
-        tr("%1 at %2  %3  %4 mm · voxel %5, %6, %7")
-            .arg(std::isfinite(value)
-                     ? QStringLiteral("%1 %2").arg(value, 0, 'g', 7).arg(QString::fromStdString(volume.unit)).trimmed()
-                     : tr("no value"),
-                 side(mm.x, 'L', 'R'), side(mm.y, 'P', 'A'), side(mm.z, 'H', 'F'))
-            .arg(voxel.x)
-            .arg(voxel.y)
-            .arg(voxel.z));
+    status_->showReadout(tr("%1 at %2  %3  %4 mm · voxel %5, %6, %7")
+                             .arg(std::isfinite(value)
+                                      ? QStringLiteral("%1 %2")
+                                            .arg(number_text(value, 'g', 7), QString::fromStdString(volume.unit))
+                                            .trimmed()
+                                      : tr("no value"),
+                                  side(mm.x, 'L', 'R'), side(mm.y, 'P', 'A'), side(mm.z, 'H', 'F'))
+                             .arg(voxel.x)
+                             .arg(voxel.y)
+                             .arg(voxel.z));
 }
 
 void MainWindow::readOutCursor() {

@@ -4,7 +4,6 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QPainter>
 #include <QScrollBar>
 #include <QSignalBlocker>
@@ -13,6 +12,7 @@
 #include <cmath>
 
 #include "ui/core_sentences.h"
+#include "ui/number_text.h"
 
 namespace lacuna::ui {
 
@@ -175,7 +175,7 @@ QWidget* RawImportDialog::makeForm() {
     auto* spacing = new QHBoxLayout;
     const QString names[] = {tr("Spacing between columns"), tr("Spacing between rows"), tr("Spacing between slices")};
     for (std::size_t a = 0; a < 3; ++a) {
-        spacing_[a] = new QDoubleSpinBox(box);
+        spacing_[a] = new NumberBox(box);
         spacing_[a]->setDecimals(5);
         spacing_[a]->setRange(0.00001, 1000);
         spacing_[a]->setValue(1);
@@ -270,7 +270,7 @@ void RawImportDialog::showProposals(const std::vector<RawGuess>& guesses) {
     for (const RawGuess& guess : guesses_) {
         auto* item = new QListWidgetItem(guess_text(guess), list_);
         QStringList reasons;
-        for (const std::string& reason : guess.reasons) reasons << QString::fromStdString(reason);
+        for (const std::string& reason : guess.reasons) reasons << core_sentence(reason);
         item->setToolTip(reasons.join(QLatin1Char('\n')));
     }
     // The confidence stands at the end of a line: it must not be cut off.
@@ -320,12 +320,10 @@ void RawImportDialog::restIsHeader() {
 }
 
 void RawImportDialog::showSize() {
-    const QLocale locale;
     const std::uint64_t need = needed();
-    QString text = tr("Voxels and header take %1 of the file's %2 bytes")
-                       .arg(locale.toString(qulonglong(need)), locale.toString(qulonglong(bytes_)));
-    if (need > bytes_) text += tr(": %1 too many.").arg(locale.toString(qulonglong(need - bytes_)));
-    if (need < bytes_) text += tr(": %1 are left over.").arg(locale.toString(qulonglong(bytes_ - need)));
+    QString text = tr("Voxels and header take %1 of the file's %2 bytes").arg(count_text(need), count_text(bytes_));
+    if (need > bytes_) text += tr(": %1 too many.").arg(count_text(need - bytes_));
+    if (need < bytes_) text += tr(": %1 are left over.").arg(count_text(bytes_ - need));
     if (need == bytes_) text += tr(": it fits.");
     size_line_->setText(text);
     if (open_) open_->setEnabled(need == bytes_ && bytes_ > 0);

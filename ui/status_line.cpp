@@ -1,9 +1,11 @@
 #include "ui/status_line.h"
 
-#include <QLocale>
 #include <QMenu>
 #include <QToolButton>
 #include <algorithm>
+
+#include "ui/core_sentences.h"
+#include "ui/number_text.h"
 
 namespace lacuna::ui {
 
@@ -48,15 +50,15 @@ StatusLine::StatusLine(TaskList* tasks, QWidget* parent)
 
 void StatusLine::showReadout(const QString& text) { readout_->setText(text); }
 
-void StatusLine::showDevice(const QString& name) { device_->setText(name); }
+void StatusLine::showDevice(const QString& name) { device_->setText(core_sentence(name)); }
 
 void StatusLine::showFrame(const FrameFacts& facts, std::size_t volume_bytes) {
     const double mib = double(facts.bytes_held + volume_bytes) / (1024.0 * 1024.0);
     frame_->setText(tr("%1 · %2 ms%3 · %4 MiB")
                         .arg(facts.plan)
-                        .arg(QLocale().toString(facts.ms, 'f', facts.ms < 9.95 ? 1 : 0))
+                        .arg(number_text(facts.ms, 'f', facts.ms < 9.95 ? 1 : 0))
                         .arg(facts.coarse ? tr(" (coarse)") : QString())
-                        .arg(QLocale().toString(mib, 'f', mib < 9.95 ? 1 : 0)));
+                        .arg(number_text(mib, 'f', mib < 9.95 ? 1 : 0)));
     showDevice(facts.device);
 }
 

@@ -49,10 +49,10 @@ Watchdog::Watchdog(QObject* parent) : QObject(parent) {
     connect(this, &Watchdog::slow, this, [](const SlowTurn& turn) {
         log(LogLevel::info, QStringLiteral("The window was busy for %1 ms (%2 ms of its own work), most of it with %3 "
                                            "(%4 ms).")
-                                .arg(turn.wall_ms, 0, 'f', 0)
-                                .arg(turn.cpu_ms, 0, 'f', 0)
+                                .arg(std::lround(turn.wall_ms))
+                                .arg(std::lround(turn.cpu_ms))
                                 .arg(turn.what)
-                                .arg(turn.what_ms, 0, 'f', 0)
+                                .arg(std::lround(turn.what_ms))
                                 .toStdString());
     });
 }

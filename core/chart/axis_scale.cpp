@@ -69,7 +69,12 @@ void Extent::add(double value, Scale scale) {
 }
 
 AxisScale::AxisScale(const Axis& axis, const Extent& data, double from, double to, bool include_zero)
-    : scale_(axis.scale), categories_(axis.categories), from_(from), to_(to), start_(from) {
+    : scale_(axis.scale),
+      decimal_mark_(axis.decimal_mark),
+      categories_(axis.categories),
+      from_(from),
+      to_(to),
+      start_(from) {
     if (!categories_.empty()) {
         lo_ = -0.5;
         hi_ = double(categories_.size()) - 0.5;
@@ -120,6 +125,7 @@ std::vector<Tick> AxisScale::ticks(int wanted) const {
     }
     std::vector<Tick> made = scale_ == Scale::log ? log_ticks(wanted) : linear_ticks(wanted);
     if (lane_) made.insert(made.begin(), {0, "0"});
+    for (Tick& tick : made) std::replace(tick.label.begin(), tick.label.end(), '.', decimal_mark_);
     return made;
 }
 

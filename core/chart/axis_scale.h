@@ -44,6 +44,7 @@ private:
     std::vector<Tick> log_ticks(int wanted) const;
 
     Scale scale_;
+    char decimal_mark_;
     std::vector<std::string> categories_;
     double lo_ = 0, hi_ = 1, from_, to_, start_;
     bool lane_ = false;

@@ -23,6 +23,7 @@ struct Axis {
     /// out. It is there only when such a value is.
     bool zero_lane = false;
     std::vector<std::string> categories = {};  ///< not empty: names of the values 0, 1, 2, ... instead of numbers
+    char decimal_mark = '.';                   ///< of the numbers drawn; ',' where readers expect one
 };
 
 struct DataPoint {

@@ -607,6 +607,2624 @@
         <source>The void threshold must lie below the inclusion threshold.</source>
         <translation>Die Schwelle für Hohlräume muss unter der für Einschlüsse liegen.</translation>
     </message>
+    <message>
+        <source>Cannot list the folder %1: %9.</source>
+        <translation>Der Ordner %1 kann nicht durchgesehen werden: %9.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: %9 (%2).</source>
+        <translation>%1 kann nicht gelesen werden: %9 (%2).</translation>
+    </message>
+    <message>
+        <source>Cannot read %1 again, whose header the DICOM files written copy.</source>
+        <translation>%1 kann nicht noch einmal gelesen werden; die geschriebenen DICOM-Dateien übernehmen den Kopf daraus.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to unpack.</source>
+        <translation>Zum Entpacken reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>Not enough memory to compress.</source>
+        <translation>Zum Packen reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>Compression failed.</source>
+        <translation>Das Packen ist gescheitert.</translation>
+    </message>
+    <message>
+        <source>The system&apos;s cryptography library does not offer SHA-256.</source>
+        <translation>Die Kryptografie-Bibliothek des Systems bietet kein SHA-256.</translation>
+    </message>
+    <message>
+        <source>There is no %1 &apos;%2&apos;; known are %3.</source>
+        <translation>„%2“ (%1) gibt es nicht; bekannt sind %3.</translation>
+    </message>
+    <message>
+        <source>The series names no files.</source>
+        <translation>Die Serie nennt keine Dateien.</translation>
+    </message>
+    <message>
+        <source>The series has gaps: %1; add the missing files, or open it without --keep-gaps to have them interpolated.</source>
+        <translation>Die Serie hat Lücken: %1; bitte die fehlenden Dateien ergänzen oder die Lücken beim Öffnen interpolieren lassen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 slices repeat the position of another and are left out: %3</source>
+        <translation>%1 von %2 Schichten wiederholen die Lage einer anderen und sind ausgelassen: %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 files hold more pixels than rows, columns and frames say; check that the picture is whole and not skewed.</source>
+        <translation>%1 von %2 Dateien enthalten mehr Bildpunkte, als Zeilen, Spalten und Einzelbilder besagen; bitte prüfen, ob das Bild ganz und nicht verschoben ist.</translation>
+    </message>
+    <message>
+        <source>Values up to %1 exceed what 32-bit floating point holds exactly and are rounded.</source>
+        <translation>Werte bis %1 überschreiten, was Gleitkomma mit 32 Bit genau fasst, und sind gerundet.</translation>
+    </message>
+    <message>
+        <source>The slices are shifted within their planes by up to %1, unevenly; they are resampled to an upright grid.</source>
+        <translation>Die Schichten sind in ihren Ebenen ungleichmäßig um bis zu %1 verschoben; sie sind auf ein aufrechtes Gitter umgerechnet.</translation>
+    </message>
+    <message>
+        <source>Cannot read the pixels of %1: %9; copy or export the file again.</source>
+        <translation>Die Bildpunkte von %1 können nicht gelesen werden: %9; bitte die Datei neu kopieren oder exportieren.</translation>
+    </message>
+    <message>
+        <source>The pixels of %1 are wider than its header says; export it uncompressed.</source>
+        <translation>Die Bildpunkte von %1 sind breiter, als der Kopf besagt; bitte ungepackt exportieren.</translation>
+    </message>
+    <message>
+        <source>Cannot write the DICOM series %1: CT images hold whole numbers, but the volume has fractions or NaN; write .nrrd or .nii.gz instead.</source>
+        <translation>Die DICOM-Serie %1 kann nicht geschrieben werden: CT-Bilder fassen ganze Zahlen, das Volumen hat aber Brüche oder NaN; bitte stattdessen .nrrd oder .nii.gz schreiben.</translation>
+    </message>
+    <message>
+        <source>Cannot write the DICOM series %1: its values %2 do not fit 16 bits; write .nrrd or .nii.gz instead.</source>
+        <translation>Die DICOM-Serie %1 kann nicht geschrieben werden: Die Werte %2 passen nicht in 16 Bit; bitte stattdessen .nrrd oder .nii.gz schreiben.</translation>
+    </message>
+    <message>
+        <source>Cannot write the DICOM series %1: a slice holds at most 65535 rows and columns.</source>
+        <translation>Die DICOM-Serie %1 kann nicht geschrieben werden: Eine Schicht fasst höchstens 65535 Zeilen und Spalten.</translation>
+    </message>
+    <message>
+        <source>Cannot write the DICOM series %1: %9; nothing was written; check the space and the permissions there, or write elsewhere.</source>
+        <translation>Die DICOM-Serie %1 kann nicht geschrieben werden: %9; es wurde nichts geschrieben; bitte dort Platz und Rechte prüfen oder anderswohin schreiben.</translation>
+    </message>
+    <message>
+        <source>The DICOM source names no image.</source>
+        <translation>Die DICOM-Quelle nennt kein Bild.</translation>
+    </message>
+    <message>
+        <source>The DICOM segmentation cannot be made: %9 was refused (%1).</source>
+        <translation>Die DICOM-Segmentierung lässt sich nicht erstellen: %9 wurde abgelehnt (%1).</translation>
+    </message>
+    <message>
+        <source>The DICOM report cannot be made: %9 was refused (%1).</source>
+        <translation>Der DICOM-Bericht lässt sich nicht erstellen: %9 wurde abgelehnt (%1).</translation>
+    </message>
+    <message>
+        <source>A DICOM segmentation holds 1 to 65535 segments.</source>
+        <translation>Eine DICOM-Segmentierung fasst 1 bis 65535 Segmente.</translation>
+    </message>
+    <message>
+        <source>The bytes are no RGB picture of the size given.</source>
+        <translation>Die Bytes sind kein RGB-Bild der angegebenen Größe.</translation>
+    </message>
+    <message>
+        <source>1 DICOM file without an image was left out.</source>
+        <translation>1 DICOM-Datei ohne Bild wurde ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 DICOM files without an image were left out.</source>
+        <translation>%1 DICOM-Dateien ohne Bild wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>1 DICOM file that cannot be read was left out.</source>
+        <translation>1 nicht lesbare DICOM-Datei wurde ausgelassen.</translation>
+    </message>
+    <message>
+        <source>%1 DICOM files that cannot be read were left out.</source>
+        <translation>%1 nicht lesbare DICOM-Dateien wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>1 image says that patient data are drawn into the pixels (0028,0301); the pixels are not cleaned.</source>
+        <translation>1 Bild gibt an, dass Patientendaten in die Bildpunkte gezeichnet sind (0028,0301); die Bildpunkte sind nicht bereinigt.</translation>
+    </message>
+    <message>
+        <source>%1 images say that patient data are drawn into the pixels (0028,0301); the pixels are not cleaned.</source>
+        <translation>%1 Bilder geben an, dass Patientendaten in die Bildpunkte gezeichnet sind (0028,0301); die Bildpunkte sind nicht bereinigt.</translation>
+    </message>
+    <message>
+        <source>1 image does not say whether text is drawn into the pixels (0028,0301); look at them before passing them on.</source>
+        <translation>1 Bild gibt nicht an, ob Text in die Bildpunkte gezeichnet ist (0028,0301); bitte vor dem Weitergeben ansehen.</translation>
+    </message>
+    <message>
+        <source>%1 images do not say whether text is drawn into the pixels (0028,0301); look at them before passing them on.</source>
+        <translation>%1 Bilder geben nicht an, ob Text in die Bildpunkte gezeichnet ist (0028,0301); bitte vor dem Weitergeben ansehen.</translation>
+    </message>
+    <message>
+        <source>1 image says that a face can be recognised (0028,0302).</source>
+        <translation>1 Bild gibt an, dass ein Gesicht zu erkennen ist (0028,0302).</translation>
+    </message>
+    <message>
+        <source>%1 images say that a face can be recognised (0028,0302).</source>
+        <translation>%1 Bilder geben an, dass ein Gesicht zu erkennen ist (0028,0302).</translation>
+    </message>
+    <message>
+        <source>The size in &apos;%1&apos; is not a number of voxels; write for example sample:casting@192 or sample:casting@256x256x128.</source>
+        <translation>Die Größe in „%1“ ist keine Zahl von Voxeln; bitte zum Beispiel sample:casting@192 oder sample:casting@256x256x128 schreiben.</translation>
+    </message>
+    <message>
+        <source>Cannot read %1: it is raw, and neither a sidecar (.dat, .vgi, .mhd) nor its name says its size; give --raw WxHxD:TYPE[:SX,SY,SZ][:be][:+OFFSET].</source>
+        <translation>%1 kann nicht gelesen werden: Das Volumen ist roh, und weder eine Begleitdatei (.dat, .vgi, .mhd) noch der Name nennt die Größe; bitte über das Menü Datei importieren.</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 volumes; choose one with --series N or --series UID:
+%3</source>
+        <translation>%1 enthält %2 Volumen; bitte eines über seine Nummer oder UID wählen:
+%3</translation>
+    </message>
+    <message>
+        <source>Several volumes of %1 carry the UID %2; choose one by its number:
+%3</source>
+        <translation>Mehrere Volumen von %1 tragen die UID %2; bitte eines über seine Nummer wählen:
+%3</translation>
+    </message>
+    <message>
+        <source>There is no series &apos;%1&apos; in %2; it holds one volume.</source>
+        <translation>In %2 gibt es keine Serie „%1“; es enthält ein Volumen.</translation>
+    </message>
+    <message>
+        <source>There is no series &apos;%1&apos; in %2; it holds:
+%3</source>
+        <translation>In %2 gibt es keine Serie „%1“; es enthält:
+%3</translation>
+    </message>
+    <message>
+        <source>A built-in sample such as %1 is made with its own grid; leave out --raw, --spacing and --series.</source>
+        <translation>Ein eingebautes Beispiel wie %1 hat sein eigenes Gitter; bitte Rohbeschreibung, Abstand und Serie weglassen.</translation>
+    </message>
+    <message>
+        <source>The spacing was given by hand; the DICOM files name %1 mm.</source>
+        <translation>Der Abstand ist von Hand angegeben; die DICOM-Dateien nennen %1 mm.</translation>
+    </message>
+    <message>
+        <source>There is no built-in sample &quot;%1&quot;; the samples are %2.</source>
+        <translation>Ein eingebautes Beispiel „%1“ gibt es nicht; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>The sample&apos;s size %1 is outside %2 voxels; choose one inside.</source>
+        <translation>Die Größe %1 des Beispiels liegt außerhalb von %2 Voxeln; bitte eine innerhalb wählen.</translation>
+    </message>
+    <message>
+        <source>The sample would have more than 2^36 voxels; choose a smaller size.</source>
+        <translation>Das Beispiel hätte mehr als 2^36 Voxel; bitte eine kleinere Größe wählen.</translation>
+    </message>
+    <message>
+        <source>The sample&apos;s noise and blur must be finite numbers.</source>
+        <translation>Rauschen und Unschärfe des Beispiels müssen endliche Zahlen sein.</translation>
+    </message>
+    <message>
+        <source>The smoothing must be above 0 mm and at most %1 voxels of the finest axis; give a smaller length in mm.</source>
+        <translation>Die Glättung muss über 0 mm und darf höchstens %1 Voxel der feinsten Achse betragen; bitte eine kleinere Länge in mm angeben.</translation>
+    </message>
+    <message>
+        <source>The volume&apos;s geometry is unsound: %9.</source>
+        <translation>Die Geometrie des Volumens ist nicht brauchbar: %9.</translation>
+    </message>
+    <message>
+        <source>The volume needs %1 bytes but has %2.</source>
+        <translation>Das Volumen braucht %1 Byte, hat aber %2.</translation>
+    </message>
+    <message>
+        <source>%1 claims an axis of %2 voxels; an axis needs 1 to 2147483647.</source>
+        <translation>%1 nennt eine Achse von %2 Voxeln; eine Achse braucht 1 bis 2147483647.</translation>
+    </message>
+    <message>
+        <source>%1 claims %2 voxels, more than any memory holds.</source>
+        <translation>%1 nennt %2 Voxel, mehr als jeder Speicher fasst.</translation>
+    </message>
+    <message>
+        <source>%1 cannot hold an offset of %2 bytes.</source>
+        <translation>%1 kann keinen Versatz von %2 Byte enthalten.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 bytes, but %3 voxels of %4 behind the offset need %5 bytes; check the size, the type and the offset.</source>
+        <translation>%1 hat %2 Byte, aber %3 Voxel von %4 hinter dem Versatz brauchen %5 Byte; bitte Größe, Typ und Versatz prüfen.</translation>
+    </message>
+    <message>
+        <source>%1 does not describe a raw volume: %9.</source>
+        <translation>%1 beschreibt kein rohes Volumen: %9.</translation>
+    </message>
+    <message>
+        <source>%1 stores voxels as &apos;%2&apos; of &apos;%3&apos; bits; supported are 8 and 16 bit integers and 32 bit floats.</source>
+        <translation>%1 speichert die Voxel als „%2“ mit „%3“ Bit; möglich sind ganze Zahlen von 8 und 16 Bit und Gleitkomma von 32 Bit.</translation>
+    </message>
+    <message>
+        <source>%1 gives the resolution in &apos;%2&apos;; use mm.</source>
+        <translation>%1 nennt die Auflösung in „%2“; bitte mm verwenden.</translation>
+    </message>
+    <message>
+        <source>%1 joins %2 data files; export the volume as one raw file.</source>
+        <translation>%1 verbindet %2 Datendateien; bitte das Volumen als eine rohe Datei exportieren.</translation>
+    </message>
+    <message>
+        <source>%1 names a data file of format &apos;%2&apos;, not raw.</source>
+        <translation>%1 nennt eine Datendatei im Format „%2“, nicht roh.</translation>
+    </message>
+    <message>
+        <source>Slices are missing in the numbered stack: from %1.</source>
+        <translation>Im nummerierten Stapel fehlen Schichten: von %1.</translation>
+    </message>
+    <message>
+        <source>The pages are marked as stored mirrored or turned (TIFF&apos;s Orientation); rows and columns were kept as they are stored.</source>
+        <translation>Die Seiten sind als gespiegelt oder gedreht gespeichert gekennzeichnet (Orientation in TIFF); Zeilen und Spalten bleiben, wie sie gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>The pages are marked white-is-zero; stored values were kept as they are.</source>
+        <translation>Die Seiten sind mit „Weiß ist null“ gekennzeichnet; die gespeicherten Werte bleiben, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>The grid&apos;s axes are not exactly at right angles; they were made so.</source>
+        <translation>Die Achsen des Gitters stehen nicht genau rechtwinklig; sie wurden gerichtet.</translation>
+    </message>
+    <message>
+        <source>The header gives lengths in &apos;%1&apos;, which is no known unit; mm is assumed.</source>
+        <translation>Der Kopf nennt Längen in „%1“, einer unbekannten Einheit; angenommen ist mm.</translation>
+    </message>
+    <message>
+        <source>The header names a value scale (slope %1, offset %2), which readers of MetaImage leave out; the values are as stored.</source>
+        <translation>Der Kopf nennt eine Skalierung der Werte (Steigung %1, Versatz %2), die beim Lesen von MetaImage entfällt; die Werte sind wie gespeichert.</translation>
+    </message>
+    <message>
+        <source>The file states no orientation (neither qform nor sform): left and right cannot be known from it.</source>
+        <translation>Die Datei nennt keine Ausrichtung (weder qform noch sform): Links und rechts sind daraus nicht zu erkennen.</translation>
+    </message>
+    <message>
+        <source>Values beyond 16777216 were rounded to 24 significant bits.</source>
+        <translation>Werte jenseits von 16777216 sind auf 24 signifikante Bit gerundet.</translation>
+    </message>
+    <message>
+        <source>Values beyond the range of 32 bit floats became infinite.</source>
+        <translation>Werte jenseits des Bereichs von Gleitkomma mit 32 Bit sind unendlich geworden.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: there is no volume.</source>
+        <translation>%1 kann nicht geschrieben werden: Es gibt kein Volumen.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: this volume does not go into memory, and only .raw, .mhd and .nrrd are written in parts; choose one of them or raise --memory-limit.</source>
+        <translation>%1 kann nicht geschrieben werden: Dieses Volumen passt nicht in den Speicher, und nur .raw, .mhd und .nrrd werden in Teilen geschrieben; bitte eines davon wählen oder die Speichergrenze heraufsetzen.</translation>
+    </message>
+    <message>
+        <source>Cannot write the labels to %1: name a .nrrd file.</source>
+        <translation>Die Markierungen können nicht nach %1 geschrieben werden: Bitte eine .nrrd-Datei nennen.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: the labels do not fit their grid.</source>
+        <translation>%1 kann nicht geschrieben werden: Die Markierungen passen nicht zu ihrem Gitter.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: NIfTI holds at most 32767 voxels an axis; write .nrrd instead.</source>
+        <translation>%1 kann nicht geschrieben werden: NIfTI fasst höchstens 32767 Voxel je Achse; bitte stattdessen .nrrd schreiben.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: the mesh has over 2147483647 elements.</source>
+        <translation>%1 kann nicht geschrieben werden: Das Netz hat über 2147483647 Elemente.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: a triangle names a vertex that is not there.</source>
+        <translation>%1 kann nicht geschrieben werden: Ein Dreieck nennt einen Eckpunkt, den es nicht gibt.</translation>
+    </message>
+    <message>
+        <source>%1 bytes are no picture of %2 RGB pixels.</source>
+        <translation>%1 Byte sind kein Bild von %2 RGB-Bildpunkten.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: A picture could not be compressed: %2.</source>
+        <translation>%1 kann nicht geschrieben werden: Das Bild ließ sich nicht packen: %2.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: %2 bytes are no picture of %3 RGB pixels.</source>
+        <translation>%1 kann nicht geschrieben werden: %2 Byte sind kein Bild von %3 RGB-Bildpunkten.</translation>
+    </message>
+    <message>
+        <source>A picture could not be compressed: %1.</source>
+        <translation>Ein Bild ließ sich nicht packen: %1.</translation>
+    </message>
+    <message>
+        <source>The date &apos;%1&apos; is none; write YYYYMMDD.</source>
+        <translation>Das Datum „%1“ ist keines; bitte JJJJMMTT schreiben.</translation>
+    </message>
+    <message>
+        <source>The port %1 is none; ports are 1 to 65535, for DICOM often 104 or 11112.</source>
+        <translation>Den Port %1 gibt es nicht; Ports sind 1 bis 65535, für DICOM oft 104 oder 11112.</translation>
+    </message>
+    <message>
+        <source>The time to wait for the server must be a second at least.</source>
+        <translation>Die Wartezeit auf den Server muss mindestens eine Sekunde betragen.</translation>
+    </message>
+    <message>
+        <source>The receiver has no address of this computer; 127.0.0.1 is only it.</source>
+        <translation>Der Empfänger hat keine Adresse dieses Rechners; 127.0.0.1 meint nur ihn selbst.</translation>
+    </message>
+    <message>
+        <source>The receiver&apos;s port %1 is none; ports are 1 to 65535.</source>
+        <translation>Den Empfangsport %1 gibt es nicht; Ports sind 1 bis 65535.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no unique identifier of a study or series.</source>
+        <translation>„%1“ ist keine eindeutige Kennung einer Studie oder Serie.</translation>
+    </message>
+    <message>
+        <source>No network connection can be made: %9.</source>
+        <translation>Es lässt sich keine Netzverbindung aufbauen: %9.</translation>
+    </message>
+    <message>
+        <source>The server %1 did not do the %9: %8 (status %2).</source>
+        <translation>Der Server %1 hat dies nicht ausgeführt: %9; %8 (Status %2).</translation>
+    </message>
+    <message>
+        <source>There is no address %1 to receive at; check the receiver&apos;s.</source>
+        <translation>Unter der Adresse %1 kann nichts empfangen werden; bitte die Adresse des Empfängers prüfen.</translation>
+    </message>
+    <message>
+        <source>Cannot receive at %1 port %2: %9; %8.</source>
+        <translation>An %1, Port %2, kann nichts empfangen werden: %9; %8.</translation>
+    </message>
+    <message>
+        <source>Images were sent by %1, and refused: from %2 to %3 is taken; correct the AE titles.</source>
+        <translation>Bilder wurden von %1 gesendet und abgelehnt: Angenommen wird von %2 an %3; bitte die AE-Titel berichtigen.</translation>
+    </message>
+    <message>
+        <source>%1 For C-MOVE the server has to know this program as %2.</source>
+        <translation>%1 Für C-MOVE muss der Server dieses Programm kennen als %2.</translation>
+    </message>
+    <message>
+        <source>The server says that it sent %1 files, but none came to %2; correct what it knows of it.</source>
+        <translation>Der Server meldet %1 gesendete Dateien, aber bei %2 kam keine an; bitte berichtigen, was er darüber gespeichert hat.</translation>
+    </message>
+    <message>
+        <source>Cannot read a private key from %1; it must be a PEM file without a password.</source>
+        <translation>Aus %1 lässt sich kein privater Schlüssel lesen; es muss eine PEM-Datei ohne Kennwort sein.</translation>
+    </message>
+    <message>
+        <source>Cannot read a certificate from %1; it must be a PEM file.</source>
+        <translation>Aus %1 lässt sich kein Zertifikat lesen; es muss eine PEM-Datei sein.</translation>
+    </message>
+    <message>
+        <source>The private key %1 does not belong to the certificate.</source>
+        <translation>Der private Schlüssel %1 gehört nicht zum Zertifikat.</translation>
+    </message>
+    <message>
+        <source>This system&apos;s TLS library does not offer the ciphers of BCP 195.</source>
+        <translation>Die TLS-Bibliothek dieses Systems bietet die Verfahren von BCP 195 nicht an.</translation>
+    </message>
+    <message>
+        <source>Cannot read trusted certificates from %1; it must be a PEM file.</source>
+        <translation>Aus %1 lassen sich keine vertrauten Zertifikate lesen; es muss eine PEM-Datei sein.</translation>
+    </message>
+    <message>
+        <source>Receiving over a secure connection needs a certificate of this program&apos;s own; name its PEM file, or retrieve by C-GET.</source>
+        <translation>Der Empfang über eine sichere Verbindung braucht ein eigenes Zertifikat dieses Programms; bitte dessen PEM-Datei nennen oder mit C-GET holen.</translation>
+    </message>
+    <message>
+        <source>they are cut short, damaged, or of a precision their decoder does not know</source>
+        <translation>Sie sind abgeschnitten, beschädigt oder von einer Genauigkeit, die ihr Dekoder nicht kennt</translation>
+    </message>
+    <message>
+        <source>they are cut short or damaged</source>
+        <translation>Sie sind abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>they are cut short</source>
+        <translation>Sie sind abgeschnitten</translation>
+    </message>
+    <message>
+        <source>there are none</source>
+        <translation>Es gibt keine</translation>
+    </message>
+    <message>
+        <source>their size is unknown</source>
+        <translation>Ihre Größe ist unbekannt</translation>
+    </message>
+    <message>
+        <source>frame %1 is cut short or damaged</source>
+        <translation>Einzelbild %1 ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>the file is cut short or damaged</source>
+        <translation>Die Datei ist abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>the decoder failed</source>
+        <translation>Der Dekoder versagte</translation>
+    </message>
+    <message>
+        <source>they are of %1 x %2 pixels, but the header says %3 x %4</source>
+        <translation>Sie haben %1 x %2 Bildpunkte, laut Kopf aber %3 x %4</translation>
+    </message>
+    <message>
+        <source>they have no frame header</source>
+        <translation>Ihnen fehlt der Kopf des Einzelbilds</translation>
+    </message>
+    <message>
+        <source>they are no JPEG 2000 code stream</source>
+        <translation>Sie sind kein Codestrom von JPEG 2000</translation>
+    </message>
+    <message>
+        <source>they are of no size</source>
+        <translation>Sie haben keine Größe</translation>
+    </message>
+    <message>
+        <source>they have %1 samples a pixel, or coarser ones, but the header says %2</source>
+        <translation>Sie haben %1 Werte je Bildpunkt oder gröbere, laut Kopf aber %2</translation>
+    </message>
+    <message>
+        <source>they are signed numbers, but the header says unsigned</source>
+        <translation>Sie haben Vorzeichen, laut Kopf aber keine</translation>
+    </message>
+    <message>
+        <source>they are of %1 bits, but the header allots %2</source>
+        <translation>Sie haben %1 Bit, der Kopf sieht aber %2 vor</translation>
+    </message>
+    <message>
+        <source>they are in %1 RLE segments, but the header needs %2</source>
+        <translation>Sie stehen in %1 RLE-Segmenten, der Kopf braucht aber %2</translation>
+    </message>
+    <message>
+        <source>their RLE header is damaged</source>
+        <translation>Ihr RLE-Kopf ist beschädigt</translation>
+    </message>
+    <message>
+        <source>an RLE segment unpacks to %1 pixels, but the header says %2 x %3</source>
+        <translation>Ein RLE-Segment ergibt entpackt %1 Bildpunkte, laut Kopf aber %2 x %3</translation>
+    </message>
+    <message>
+        <source>it claims more pixels than any file could hold</source>
+        <translation>Der Kopf nennt mehr Bildpunkte, als irgendeine Datei fassen könnte</translation>
+    </message>
+    <message>
+        <source>it claims more frames than its bytes could hold</source>
+        <translation>Der Kopf nennt mehr Einzelbilder, als die Datei fassen könnte</translation>
+    </message>
+    <message>
+        <source>it is cut short: %1 of %2 bytes of pixels are there</source>
+        <translation>Die Datei ist abgeschnitten: %1 von %2 Byte der Bildpunkte sind vorhanden</translation>
+    </message>
+    <message>
+        <source>it is a colour image (%1); only grey values make a volume</source>
+        <translation>Das Bild ist farbig (%1); nur Grauwerte ergeben ein Volumen</translation>
+    </message>
+    <message>
+        <source>its header cannot be parsed; it may be cut short or damaged</source>
+        <translation>Der Kopf ist nicht zu verstehen; er ist vielleicht abgeschnitten oder beschädigt</translation>
+    </message>
+    <message>
+        <source>it has no pixels (7FE0,0010)</source>
+        <translation>Das Bild hat keine Bildpunkte (7FE0,0010)</translation>
+    </message>
+    <message>
+        <source>%1 has not three values</source>
+        <translation>%1 hat nicht drei Werte</translation>
+    </message>
+    <message>
+        <source>%1 has not six values</source>
+        <translation>%1 hat nicht sechs Werte</translation>
+    </message>
+    <message>
+        <source>%1 has not two values</source>
+        <translation>%1 hat nicht zwei Werte</translation>
+    </message>
+    <message>
+        <source>%1 holds no two perpendicular unit vectors</source>
+        <translation>%1 enthält keine zwei senkrechten Einheitsvektoren</translation>
+    </message>
+    <message>
+        <source>%1 is not positive</source>
+        <translation>%1 ist nicht positiv</translation>
+    </message>
+    <message>
+        <source>%1 is negative</source>
+        <translation>%1 ist negativ</translation>
+    </message>
+    <message>
+        <source>%1 is zero</source>
+        <translation>%1 ist null</translation>
+    </message>
+    <message>
+        <source>%1 is %2, which cannot be</source>
+        <translation>%1 ist %2, was nicht sein kann</translation>
+    </message>
+    <message>
+        <source>%1 is %2, but its pixels are floating-point numbers of %3</source>
+        <translation>%1 ist %2, die Bildpunkte sind aber Gleitkommazahlen von %3</translation>
+    </message>
+    <message>
+        <source>%1 is %2; 1, 8, 16 and 32 can be read</source>
+        <translation>%1 ist %2; gelesen werden können 1, 8, 16 und 32</translation>
+    </message>
+    <message>
+        <source>%1 does not fit %2</source>
+        <translation>%1 passt nicht zu %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read</source>
+        <translation>%1 ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+    <message>
+        <source>the disk is full or the file size is limited</source>
+        <translation>Der Datenträger ist voll oder die Dateigröße begrenzt</translation>
+    </message>
+    <message>
+        <source>the whole</source>
+        <translation>das Ganze</translation>
+    </message>
+    <message>
+        <source>its frame size</source>
+        <translation>die Bildgröße</translation>
+    </message>
+    <message>
+        <source>the source&apos;s patient or study</source>
+        <translation>Patient oder Studie der Quelle</translation>
+    </message>
+    <message>
+        <source>the series number</source>
+        <translation>die Nummer der Serie</translation>
+    </message>
+    <message>
+        <source>the series UID</source>
+        <translation>die UID der Serie</translation>
+    </message>
+    <message>
+        <source>the spacing</source>
+        <translation>der Abstand</translation>
+    </message>
+    <message>
+        <source>the slice thickness</source>
+        <translation>die Schichtdicke</translation>
+    </message>
+    <message>
+        <source>the slice spacing</source>
+        <translation>der Schichtabstand</translation>
+    </message>
+    <message>
+        <source>the orientation</source>
+        <translation>die Ausrichtung</translation>
+    </message>
+    <message>
+        <source>a segment</source>
+        <translation>ein Segment</translation>
+    </message>
+    <message>
+        <source>a tracking id</source>
+        <translation>eine Verfolgungskennung</translation>
+    </message>
+    <message>
+        <source>a tracking UID</source>
+        <translation>eine Verfolgungs-UID</translation>
+    </message>
+    <message>
+        <source>a dimension index</source>
+        <translation>ein Dimensionsindex</translation>
+    </message>
+    <message>
+        <source>the source&apos;s class</source>
+        <translation>die Klasse der Quelle</translation>
+    </message>
+    <message>
+        <source>the source&apos;s UID</source>
+        <translation>die UID der Quelle</translation>
+    </message>
+    <message>
+        <source>the source&apos;s frame</source>
+        <translation>das Einzelbild der Quelle</translation>
+    </message>
+    <message>
+        <source>a measurement group</source>
+        <translation>eine Messgruppe</translation>
+    </message>
+    <message>
+        <source>the source series</source>
+        <translation>die Quellserie</translation>
+    </message>
+    <message>
+        <source>an evaluation</source>
+        <translation>eine Bewertung</translation>
+    </message>
+    <message>
+        <source>the language</source>
+        <translation>die Sprache</translation>
+    </message>
+    <message>
+        <source>the observer</source>
+        <translation>der Beobachter</translation>
+    </message>
+    <message>
+        <source>the procedure</source>
+        <translation>das Verfahren</translation>
+    </message>
+    <message>
+        <source>the character set</source>
+        <translation>der Zeichensatz</translation>
+    </message>
+    <message>
+        <source>the source&apos;s patient</source>
+        <translation>der Patient der Quelle</translation>
+    </message>
+    <message>
+        <source>the source&apos;s study</source>
+        <translation>die Studie der Quelle</translation>
+    </message>
+    <message>
+        <source>the content</source>
+        <translation>der Inhalt</translation>
+    </message>
+    <message>
+        <source>the type</source>
+        <translation>der Typ</translation>
+    </message>
+    <message>
+        <source>the manufacturer</source>
+        <translation>der Hersteller</translation>
+    </message>
+    <message>
+        <source>the model</source>
+        <translation>das Modell</translation>
+    </message>
+    <message>
+        <source>the version</source>
+        <translation>die Version</translation>
+    </message>
+    <message>
+        <source>the completion</source>
+        <translation>der Abschluss</translation>
+    </message>
+    <message>
+        <source>an axis has no voxels</source>
+        <translation>Eine Achse hat keine Voxel</translation>
+    </message>
+    <message>
+        <source>the voxel spacing is not a positive number</source>
+        <translation>Der Voxelabstand ist keine positive Zahl</translation>
+    </message>
+    <message>
+        <source>the origin is not a finite position</source>
+        <translation>Der Ursprung ist keine endliche Lage</translation>
+    </message>
+    <message>
+        <source>it has too many voxels</source>
+        <translation>Es hat zu viele Voxel</translation>
+    </message>
+    <message>
+        <source>the voxel spacing is too small or too large to calculate with</source>
+        <translation>Der Voxelabstand ist zu klein oder zu groß, um damit zu rechnen</translation>
+    </message>
+    <message>
+        <source>the grid axes are not orthonormal</source>
+        <translation>Die Achsen des Gitters sind nicht orthonormal</translation>
+    </message>
+    <message>
+        <source>its spacing along axis %1 is %2, but spacings must be positive numbers of mm</source>
+        <translation>Der Abstand längs der Achse %1 ist %2; Abstände müssen positive Zahlen in mm sein</translation>
+    </message>
+    <message>
+        <source>its origin is not a finite position</source>
+        <translation>Der Ursprung ist keine endliche Lage</translation>
+    </message>
+    <message>
+        <source>its data file %1 is not there; put it beside the header</source>
+        <translation>Die Datendatei %1 gibt es nicht; bitte neben den Kopf legen</translation>
+    </message>
+    <message>
+        <source>it claims %1 bytes of voxels, more than its %2 compressed bytes can hold; the file is cut or its sizes are wrong</source>
+        <translation>Der Kopf nennt %1 Byte Voxel, mehr als die %2 gepackten Byte fassen können; die Datei ist abgeschnitten oder ihre Maße sind falsch</translation>
+    </message>
+    <message>
+        <source>its voxels need %1 bytes, but there are %2; the file is cut or its sizes are wrong</source>
+        <translation>Die Voxel brauchen %1 Byte, vorhanden sind %2; die Datei ist abgeschnitten oder ihre Maße sind falsch</translation>
+    </message>
+    <message>
+        <source>its spacing pixdim[%1] is %2, but spacings must be positive numbers of mm</source>
+        <translation>Der Abstand pixdim[%1] ist %2; Abstände müssen positive Zahlen in mm sein</translation>
+    </message>
+    <message>
+        <source>its %1 is &apos;%2&apos;, but spacings must be positive numbers of mm</source>
+        <translation>%1 ist „%2“; Abstände müssen positive Zahlen in mm sein</translation>
+    </message>
+    <message>
+        <source>it is no MetaImage header (no line ElementDataFile)</source>
+        <translation>Die Datei ist kein Kopf von MetaImage (ohne Zeile ElementDataFile)</translation>
+    </message>
+    <message>
+        <source>its ElementType &apos;%1&apos; is not a scalar type</source>
+        <translation>Der ElementType „%1“ ist kein skalarer Typ</translation>
+    </message>
+    <message>
+        <source>its %1 voxels are stored as text, but there are %2 numbers; the file is cut or its sizes are wrong</source>
+        <translation>Die %1 Voxel sind als Text gespeichert, es gibt aber %2 Zahlen; die Datei ist abgeschnitten oder ihre Maße sind falsch</translation>
+    </message>
+    <message>
+        <source>its %1 &apos;%2&apos; is not %3 numbers</source>
+        <translation>%1 „%2“ besteht nicht aus %3 Zahlen</translation>
+    </message>
+    <message>
+        <source>its BinaryDataByteOrderMSB and ElementByteOrderMSB contradict each other</source>
+        <translation>BinaryDataByteOrderMSB und ElementByteOrderMSB widersprechen einander</translation>
+    </message>
+    <message>
+        <source>its DimSize &apos;%1&apos; does not fit its NDims &apos;%2&apos;</source>
+        <translation>DimSize „%1“ passt nicht zu NDims „%2“</translation>
+    </message>
+    <message>
+        <source>its HeaderSize -1 does not go with compressed voxels</source>
+        <translation>HeaderSize -1 verträgt sich nicht mit gepackten Voxeln</translation>
+    </message>
+    <message>
+        <source>its HeaderSize %1 does not lie within the data</source>
+        <translation>HeaderSize %1 liegt nicht innerhalb der Daten</translation>
+    </message>
+    <message>
+        <source>it is no NRRD file (it does not start with NRRD)</source>
+        <translation>Die Datei ist kein NRRD (sie beginnt nicht mit NRRD)</translation>
+    </message>
+    <message>
+        <source>its voxels are opaque blocks</source>
+        <translation>Die Voxel sind undurchsichtige Blöcke</translation>
+    </message>
+    <message>
+        <source>its type &apos;%1&apos; is unknown</source>
+        <translation>Der Typ „%1“ ist unbekannt</translation>
+    </message>
+    <message>
+        <source>its data have fewer lines than it says to skip</source>
+        <translation>Die Daten haben weniger Zeilen, als zu überspringen sind</translation>
+    </message>
+    <message>
+        <source>its space units differ from axis to axis</source>
+        <translation>Die Raumeinheiten unterscheiden sich von Achse zu Achse</translation>
+    </message>
+    <message>
+        <source>its axis mins and axis maxs make no spacing, which must be a positive number of mm</source>
+        <translation>axis mins und axis maxs ergeben keinen Abstand; er muss eine positive Zahl in mm sein</translation>
+    </message>
+    <message>
+        <source>its sizes &apos;%1&apos; are no whole numbers</source>
+        <translation>Die Größen „%1“ sind keine ganzen Zahlen</translation>
+    </message>
+    <message>
+        <source>its byte skip of -1 does not go with compressed voxels</source>
+        <translation>byte skip -1 verträgt sich nicht mit gepackten Voxeln</translation>
+    </message>
+    <message>
+        <source>its byte skip is too large</source>
+        <translation>byte skip ist zu groß</translation>
+    </message>
+    <message>
+        <source>it is cut short, or no NIfTI file: its header needs 348 bytes</source>
+        <translation>Die Datei ist abgeschnitten oder kein NIfTI: Der Kopf braucht 348 Byte</translation>
+    </message>
+    <message>
+        <source>its voxels lie in another file (.img); convert it to one .nii file</source>
+        <translation>Die Voxel liegen in einer anderen Datei (.img); bitte in eine .nii-Datei umwandeln</translation>
+    </message>
+    <message>
+        <source>it is no NIfTI file (its magic word is missing)</source>
+        <translation>Die Datei ist kein NIfTI (das Kennwort fehlt)</translation>
+    </message>
+    <message>
+        <source>its number of dimensions is not within 1 to 7</source>
+        <translation>Die Zahl der Dimensionen liegt nicht in 1 bis 7</translation>
+    </message>
+    <message>
+        <source>its bitpix %1 does not fit its datatype %2</source>
+        <translation>bitpix %1 passt nicht zu datatype %2</translation>
+    </message>
+    <message>
+        <source>its voxels are of datatype %1 (colours, complex or single bits); only scalar volumes can be opened</source>
+        <translation>Die Voxel haben den datatype %1 (Farben, komplex oder einzelne Bit); nur skalare Volumen können geöffnet werden</translation>
+    </message>
+    <message>
+        <source>its vox_offset is %1, but must be 352 at least</source>
+        <translation>vox_offset ist %1, muss aber mindestens 352 sein</translation>
+    </message>
+    <message>
+        <source>its axes are not at right angles, or contradict its voxel spacing; resample it to a rectangular grid first</source>
+        <translation>Die Achsen stehen nicht rechtwinklig oder widersprechen dem Voxelabstand; bitte zuerst auf ein rechtwinkliges Gitter umrechnen</translation>
+    </message>
+    <message>
+        <source>its header says twice, and differently, how large it is</source>
+        <translation>Der Kopf nennt die Größe zweimal, und verschieden</translation>
+    </message>
+    <message>
+        <source>its voxel type %1 is not supported</source>
+        <translation>Der Voxeltyp %1 wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>its voxels are cut short</source>
+        <translation>Die Voxel sind abgeschnitten</translation>
+    </message>
+    <message>
+        <source>it is no TIFF file or is damaged</source>
+        <translation>Die Datei ist kein TIFF oder beschädigt</translation>
+    </message>
+    <message>
+        <source>its palette is not of 8 bits; convert it to grey values</source>
+        <translation>Die Palette hat nicht 8 Bit; bitte in Grauwerte umwandeln</translation>
+    </message>
+    <message>
+        <source>it has a colour palette; convert it to grey values</source>
+        <translation>Die Datei hat eine Farbpalette; bitte in Grauwerte umwandeln</translation>
+    </message>
+    <message>
+        <source>it has several samples a pixel (colours); convert it to grey values</source>
+        <translation>Die Datei hat mehrere Werte je Bildpunkt (Farben); bitte in Grauwerte umwandeln</translation>
+    </message>
+    <message>
+        <source>it holds no grey values; convert it</source>
+        <translation>Die Datei enthält keine Grauwerte; bitte umwandeln</translation>
+    </message>
+    <message>
+        <source>its pixels of %1 bits are not supported; convert it to 8 or 16 bit integers or 32 bit floats</source>
+        <translation>Bildpunkte von %1 Bit werden nicht unterstützt; bitte in ganze Zahlen von 8 oder 16 Bit oder Gleitkomma von 32 Bit umwandeln</translation>
+    </message>
+    <message>
+        <source>it has no pixels</source>
+        <translation>Die Datei hat keine Bildpunkte</translation>
+    </message>
+    <message>
+        <source>its rows are not as long as its width says</source>
+        <translation>Die Zeilen sind nicht so lang, wie die Breite besagt</translation>
+    </message>
+    <message>
+        <source>its pixels are damaged or cut short</source>
+        <translation>Die Bildpunkte sind beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>its tiles have an odd size</source>
+        <translation>Die Kacheln haben eine seltsame Größe</translation>
+    </message>
+    <message>
+        <source>page %1 has %2 pixels of %3 bits, or another palette or type, unlike the first page with %4 of %5</source>
+        <translation>Seite %1 hat %2 Bildpunkte von %3 Bit oder eine andere Palette oder einen anderen Typ als die erste Seite mit %4 von %5</translation>
+    </message>
+    <message>
+        <source>its list of pages is damaged or cut short after page %1</source>
+        <translation>Die Liste der Seiten ist nach Seite %1 beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>ImageJ stored several channels or points of time in its pages; save one of them alone</source>
+        <translation>ImageJ hat mehrere Kanäle oder Zeitpunkte in den Seiten gespeichert; bitte einen davon allein sichern</translation>
+    </message>
+    <message>
+        <source>ImageJ stored its %1 slices behind one page; save it as raw or as an image sequence</source>
+        <translation>ImageJ hat %1 Schichten hinter einer Seite gespeichert; bitte roh oder als Bildfolge sichern</translation>
+    </message>
+    <message>
+        <source>a folder of TIFF files is a stack of slices, but this file has %1 pages; open one multi-page file by its name</source>
+        <translation>Ein Ordner von TIFF-Dateien ist ein Stapel von Schichten, diese Datei hat aber %1 Seiten; bitte eine mehrseitige Datei bei ihrem Namen öffnen</translation>
+    </message>
+    <message>
+        <source>page %1 cannot be read</source>
+        <translation>Seite %1 ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a size WxHxD</source>
+        <translation>„%1“ ist keine Größe WxHxD</translation>
+    </message>
+    <message>
+        <source>the size %1 is out of range</source>
+        <translation>die Größe %1 liegt außerhalb des Möglichen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither a spacing SX,SY,SZ nor be nor +OFFSET</source>
+        <translation>„%1“ ist weder ein Abstand SX,SY,SZ noch be noch +OFFSET</translation>
+    </message>
+    <message>
+        <source>the spacing &apos;%1&apos; must be positive numbers in mm</source>
+        <translation>der Abstand „%1“ muss aus positiven Zahlen in mm bestehen</translation>
+    </message>
+    <message>
+        <source>size or type is missing</source>
+        <translation>Größe oder Typ fehlt</translation>
+    </message>
+    <message>
+        <source>the type &apos;%1&apos; is none of u8 i8 u16 i16 f32</source>
+        <translation>der Typ „%1“ ist keiner von u8 i8 u16 i16 f32</translation>
+    </message>
+    <message>
+        <source>the offset &apos;%1&apos; is not +BYTES</source>
+        <translation>der Versatz „%1“ ist nicht +BYTES</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be three whole numbers</source>
+        <translation>„%1“ muss aus drei ganzen Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>&apos;Origin&apos; must be three numbers</source>
+        <translation>„Origin“ muss aus drei Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>&apos;Direction&apos; must be nine numbers</source>
+        <translation>„Direction“ muss aus neun Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be three numbers</source>
+        <translation>„%1“ muss aus drei Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>the spacing &apos;%1&apos; is %2, but must be positive</source>
+        <translation>der Abstand „%1“ ist %2, muss aber positiv sein</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing</source>
+        <translation>„%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>the Format &apos;%1&apos; is none of UCHAR CHAR USHORT SHORT FLOAT</source>
+        <translation>das Format „%1“ ist keines von UCHAR CHAR USHORT SHORT FLOAT</translation>
+    </message>
+    <message>
+        <source>it has no [file1] section</source>
+        <translation>der Abschnitt [file1] fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;SkipHeader&apos; is not a number of bytes</source>
+        <translation>„SkipHeader“ ist keine Zahl von Byte</translation>
+    </message>
+    <message>
+        <source>it failed there</source>
+        <translation>dort ist es gescheitert</translation>
+    </message>
+    <message>
+        <source>it is out of resources</source>
+        <translation>ihm fehlen die Mittel</translation>
+    </message>
+    <message>
+        <source>it does not know the destination</source>
+        <translation>er kennt das Ziel nicht</translation>
+    </message>
+    <message>
+        <source>it does not do this for such data</source>
+        <translation>er tut dies nicht für solche Daten</translation>
+    </message>
+    <message>
+        <source>this program is not allowed to</source>
+        <translation>dieses Programm darf das nicht</translation>
+    </message>
+    <message>
+        <source>it was cancelled there</source>
+        <translation>dort wurde es abgebrochen</translation>
+    </message>
+    <message>
+        <source>search (C-FIND)</source>
+        <translation>Suche (C-FIND)</translation>
+    </message>
+    <message>
+        <source>storing (C-STORE)</source>
+        <translation>Speichern (C-STORE)</translation>
+    </message>
+    <message>
+        <source>retrieval (C-GET)</source>
+        <translation>Holen (C-GET)</translation>
+    </message>
+    <message>
+        <source>retrieval (C-MOVE)</source>
+        <translation>Holen (C-MOVE)</translation>
+    </message>
+    <message>
+        <source>verification (C-ECHO)</source>
+        <translation>Prüfung (C-ECHO)</translation>
+    </message>
+    <message>
+        <source>choose another port</source>
+        <translation>bitte einen anderen Port wählen</translation>
+    </message>
+    <message>
+        <source>name one of this computer&apos;s addresses</source>
+        <translation>bitte eine Adresse dieses Rechners nennen</translation>
+    </message>
+    <message>
+        <source>choose a port from 1024 on</source>
+        <translation>bitte einen Port ab 1024 wählen</translation>
+    </message>
+    <message>
+        <source>check the receiver&apos;s address and port</source>
+        <translation>bitte Adresse und Port des Empfängers prüfen</translation>
+    </message>
+    <message>
+        <source>Address already in use</source>
+        <translation>Adresse schon in Gebrauch</translation>
+    </message>
+    <message>
+        <source>Cannot assign requested address</source>
+        <translation>Adresse nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>a finding</source>
+        <translation>ein Befund</translation>
+    </message>
+    <message>
+        <source>a frame</source>
+        <translation>ein Einzelbild</translation>
+    </message>
+    <message>
+        <source>a measurement</source>
+        <translation>eine Messung</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>searching (C-FIND by the study root)</source>
+        <translation>Suchen (C-FIND nach der Studienwurzel)</translation>
+    </message>
+    <message>
+        <source>retrieving (C-GET by the study root)</source>
+        <translation>Holen (C-GET nach der Studienwurzel)</translation>
+    </message>
+    <message>
+        <source>retrieving (C-MOVE by the study root)</source>
+        <translation>Holen (C-MOVE nach der Studienwurzel)</translation>
+    </message>
+    <message>
+        <source>the file name states this size, and the length of the file fits it</source>
+        <translation>der Dateiname nennt diese Größe, und die Länge der Datei passt dazu</translation>
+    </message>
+    <message>
+        <source>the file name states this size</source>
+        <translation>der Dateiname nennt diese Größe</translation>
+    </message>
+    <message>
+        <source>the first bytes of the file state this size</source>
+        <translation>die ersten Bytes der Datei nennen diese Größe</translation>
+    </message>
+    <message>
+        <source>the length of the file fits to the byte</source>
+        <translation>die Länge der Datei passt auf das Byte</translation>
+    </message>
+    <message>
+        <source>%1 bytes are left over for a header</source>
+        <translation>%1 Byte bleiben für einen Kopf übrig</translation>
+    </message>
+    <message>
+        <source>the file name states this type</source>
+        <translation>der Dateiname nennt diesen Typ</translation>
+    </message>
+    <message>
+        <source>rows repeat after %1 voxels</source>
+        <translation>Zeilen wiederholen sich nach %1 Voxeln</translation>
+    </message>
+    <message>
+        <source>slices repeat after %1 rows</source>
+        <translation>Schichten wiederholen sich nach %1 Zeilen</translation>
+    </message>
+    <message>
+        <source>neighbours differ less in big endian</source>
+        <translation>Nachbarn unterscheiden sich in Big-Endian weniger</translation>
+    </message>
+    <message>
+        <source>neighbours differ less in little endian</source>
+        <translation>Nachbarn unterscheiden sich in Little-Endian weniger</translation>
+    </message>
+    <message>
+        <source>Only pictures of the same size can be compared.</source>
+        <translation>Nur Bilder gleicher Größe lassen sich vergleichen.</translation>
+    </message>
+    <message>
+        <source>FLIP needs more than 0 pixels a degree.</source>
+        <translation>FLIP braucht mehr als 0 Bildpunkte je Grad.</translation>
+    </message>
+    <message>
+        <source>A voxel&apos;s size must be above 0.</source>
+        <translation>Die Größe eines Voxels muss über 0 liegen.</translation>
+    </message>
+    <message>
+        <source>A sweep needs at least one view.</source>
+        <translation>Eine Messreihe braucht mindestens eine Ansicht.</translation>
+    </message>
+    <message>
+        <source>Planning needs an error or a time budget.</source>
+        <translation>Das Planen braucht ein Fehler- oder ein Zeitbudget.</translation>
+    </message>
+    <message>
+        <source>The error budget must be at least 0.</source>
+        <translation>Das Fehlerbudget muss mindestens 0 sein.</translation>
+    </message>
+    <message>
+        <source>The time budget must be above 0.</source>
+        <translation>Das Zeitbudget muss über 0 liegen.</translation>
+    </message>
+    <message>
+        <source>At least one frame must be expected.</source>
+        <translation>Mindestens ein Bild muss zu erwarten sein.</translation>
+    </message>
+    <message>
+        <source>Shear-warp has one plan; a budget goes with the modes that cast rays.</source>
+        <translation>Shear-Warp hat einen einzigen Plan; ein Budget gehört zu den Modi, die Strahlen werfen.</translation>
+    </message>
+    <message>
+        <source>Only a built-in sample has a closed form to compare with; take sample:NAME or the reference &apos;fine&apos;.</source>
+        <translation>Nur ein eingebautes Beispiel hat eine geschlossene Form zum Vergleich; bitte sample:NAME oder die Referenz „fine“ nehmen.</translation>
+    </message>
+    <message>
+        <source>There is no closed form to compare with for %9; compare with the references &apos;samples&apos; or &apos;fine&apos;.</source>
+        <translation>Zum Vergleich gibt es keine geschlossene Form für %9; bitte mit den Referenzen „samples“ oder „fine“ vergleichen.</translation>
+    </message>
+    <message>
+        <source>the device&apos;s costs have no good &quot;%1&quot;.</source>
+        <translation>die Kosten des Geräts haben kein gültiges „%1“.</translation>
+    </message>
+    <message>
+        <source>this is no JSON object of a device&apos;s costs.</source>
+        <translation>dies ist kein JSON-Objekt der Kosten eines Geräts.</translation>
+    </message>
+    <message>
+        <source>A device buffer of no bytes was asked for.</source>
+        <translation>Ein Gerätepuffer von null Byte wurde verlangt.</translation>
+    </message>
+    <message>
+        <source>There is no kernel source &quot;%1&quot; in this program.</source>
+        <translation>Eine Kernelquelle „%1“ gibt es in diesem Programm nicht.</translation>
+    </message>
+    <message>
+        <source>Kernel source %1, line %2, includes &quot;%3&quot;, which is not in this program.</source>
+        <translation>Die Kernelquelle %1, Zeile %2, bindet „%3“ ein, das es in diesem Programm nicht gibt.</translation>
+    </message>
+    <message>
+        <source>Kernel %1 does not compile on %2: %3</source>
+        <translation>Der Kernel %1 lässt sich auf %2 nicht übersetzen: %3</translation>
+    </message>
+    <message>
+        <source>Kernel source %1 has no kernel &quot;%2&quot;.</source>
+        <translation>Die Kernelquelle %1 hat keinen Kernel „%2“.</translation>
+    </message>
+    <message>
+        <source>Each part of the %1 colour must lie between 0 and 1.</source>
+        <translation>Jeder Anteil der Farbe (%1) muss zwischen 0 und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>A scene takes at most %1 cutting planes, not %2.</source>
+        <translation>Eine Szene fasst höchstens %1 Schnittebenen, nicht %2.</translation>
+    </message>
+    <message>
+        <source>A cutting plane needs a normal a,b,c that is finite and not 0,0,0.</source>
+        <translation>Eine Schnittebene braucht eine Normale a,b,c, die endlich und nicht 0,0,0 ist.</translation>
+    </message>
+    <message>
+        <source>A cutting plane&apos;s offset must be a finite number.</source>
+        <translation>Der Versatz einer Schnittebene muss eine endliche Zahl sein.</translation>
+    </message>
+    <message>
+        <source>A scene takes at most %1 segmentation ranges and transfer functions of regions together.</source>
+        <translation>Eine Szene fasst höchstens %1 Segmentierungsbereiche und Transferfunktionen von Regionen zusammen.</translation>
+    </message>
+    <message>
+        <source>A scene takes at most %1 segmentation ranges, not %2.</source>
+        <translation>Eine Szene fasst höchstens %1 Segmentierungsbereiche, nicht %2.</translation>
+    </message>
+    <message>
+        <source>A segmentation range&apos;s lower end must not exceed its upper end.</source>
+        <translation>Das untere Ende eines Segmentierungsbereichs darf nicht über dem oberen liegen.</translation>
+    </message>
+    <message>
+        <source>Transfer functions of regions need the regions&apos; voxels.</source>
+        <translation>Transferfunktionen von Regionen brauchen die Voxel der Regionen.</translation>
+    </message>
+    <message>
+        <source>The region classes must hold one byte for each voxel of the volume.</source>
+        <translation>Die Regionsklassen müssen ein Byte für jedes Voxel des Volumens enthalten.</translation>
+    </message>
+    <message>
+        <source>Shear-warp paints surface voxels, whatever region they are in; use mode iso, ea, mip, lmip, minip or mean to show or hide regions.</source>
+        <translation>Shear-Warp zeichnet die Voxel der Oberfläche, gleich in welcher Region; um Regionen zu zeigen oder auszublenden, bitte den Modus iso, ea, mip, lmip, minip oder mean nehmen.</translation>
+    </message>
+    <message>
+        <source>Regions have transfer functions of their own in mode ea alone.</source>
+        <translation>Eigene Transferfunktionen haben Regionen nur im Modus ea.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s angles must be finite numbers.</source>
+        <translation>Die Winkel der Kamera müssen endliche Zahlen sein.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s centre must be finite.</source>
+        <translation>Die Mitte der Kamera muss endlich sein.</translation>
+    </message>
+    <message>
+        <source>A highlight must hold one byte for each voxel of its box.</source>
+        <translation>Eine Hervorhebung muss ein Byte für jedes Voxel ihres Quaders enthalten.</translation>
+    </message>
+    <message>
+        <source>A highlight&apos;s opacity must lie between 0 and 1.</source>
+        <translation>Die Deckkraft einer Hervorhebung muss zwischen 0 und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>The scene holds no volume; open one first.</source>
+        <translation>Die Szene enthält kein Volumen; bitte zuerst eines öffnen.</translation>
+    </message>
+    <message>
+        <source>The isovalue must be a finite number.</source>
+        <translation>Der Isowert muss eine endliche Zahl sein.</translation>
+    </message>
+    <message>
+        <source>The LMIP threshold must be a finite number.</source>
+        <translation>Die LMIP-Schwelle muss eine endliche Zahl sein.</translation>
+    </message>
+    <message>
+        <source>The grey window&apos;s lower end must be below its upper end.</source>
+        <translation>Das untere Ende des Graufensters muss unter dem oberen liegen.</translation>
+    </message>
+    <message>
+        <source>The zoom must be a positive number.</source>
+        <translation>Der Zoom muss eine positive Zahl sein.</translation>
+    </message>
+    <message>
+        <source>The field of view must lie between 0 and 180 degrees.</source>
+        <translation>Das Sichtfeld muss zwischen 0 und 180 Grad liegen.</translation>
+    </message>
+    <message>
+        <source>The image size must be 1 to 16384 pixels on each side.</source>
+        <translation>Das Bild muss 1 bis 16384 Bildpunkte je Seite haben.</translation>
+    </message>
+    <message>
+        <source>There is no region %1; the volume has regions 1 to %2 (lacuna regions lists them).</source>
+        <translation>Eine Region %1 gibt es nicht; das Volumen hat die Regionen 1 bis %2.</translation>
+    </message>
+    <message>
+        <source>At most %1 regions can have transfer functions of their own.</source>
+        <translation>Höchstens %1 Regionen können eigene Transferfunktionen haben.</translation>
+    </message>
+    <message>
+        <source>There is no such effect.</source>
+        <translation>Einen solchen Effekt gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>There is no effect &apos;%1&apos;; known are %2.</source>
+        <translation>Einen Effekt „%1“ gibt es nicht; bekannt sind %2.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number; effect %2 takes numbers separated by commas.</source>
+        <translation>„%1“ ist keine Zahl; der Effekt %2 nimmt durch Kommas getrennte Zahlen.</translation>
+    </message>
+    <message>
+        <source>Effect %1 takes at most %2 value (%3), not %4.</source>
+        <translation>Der Effekt %1 nimmt höchstens %2 Wert (%3), nicht %4.</translation>
+    </message>
+    <message>
+        <source>Effect %1 takes at most %2 values (%3), not %4.</source>
+        <translation>Der Effekt %1 nimmt höchstens %2 Werte (%3), nicht %4.</translation>
+    </message>
+    <message>
+        <source>Effect %1 needs a value: %2.</source>
+        <translation>Der Effekt %1 braucht einen Wert: %2.</translation>
+    </message>
+    <message>
+        <source>Effect %1: the %2 must be a whole number from %3 to %4, not %5.</source>
+        <translation>Effekt %1: %2 muss eine ganze Zahl von %3 bis %4 sein, nicht %5.</translation>
+    </message>
+    <message>
+        <source>Effect %1: the %2 must be a number from %3 to %4, not %5.</source>
+        <translation>Effekt %1: %2 muss eine Zahl von %3 bis %4 sein, nicht %5.</translation>
+    </message>
+    <message>
+        <source>The list of effects has an empty place; write name[=v[,v..]],name..</source>
+        <translation>Die Liste der Effekte hat eine leere Stelle; bitte name[=w[,w..]],name.. schreiben.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; belongs to no effect; write name[=v[,v..]],name..</source>
+        <translation>„%1“ gehört zu keinem Effekt; bitte name[=w[,w..]],name.. schreiben.</translation>
+    </message>
+    <message>
+        <source>Effect ao needs a surface, which mode %1 does not show; modes iso, shear-warp and ea do.</source>
+        <translation>Der Effekt ao braucht eine Oberfläche, die der Modus %1 nicht zeigt; die Modi iso, shear-warp und ea zeigen eine.</translation>
+    </message>
+    <message>
+        <source>%9 needs the whole volume in memory, and this one is read in parts; raise --memory-limit or leave it out.</source>
+        <translation>%9 braucht das ganze Volumen im Speicher, und dieses wird in Teilen gelesen; bitte die Speichergrenze heraufsetzen oder dies weglassen.</translation>
+    </message>
+    <message>
+        <source>More than 2^32 voxels are visible; use mode iso, or an isovalue that gives a simpler surface.</source>
+        <translation>Mehr als 2^32 Voxel sind sichtbar; bitte den Modus iso nehmen oder einen Isowert mit einfacherer Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Shear-warp takes at most 65534 voxels along an axis; use mode iso.</source>
+        <translation>Shear-Warp nimmt höchstens 65534 Voxel je Achse; bitte den Modus iso nehmen.</translation>
+    </message>
+    <message>
+        <source>The homogeneity of leaping is a share of the value range: give 0 to 1.</source>
+        <translation>Die Homogenität beim Springen ist ein Anteil am Wertebereich: bitte 0 bis 1 angeben.</translation>
+    </message>
+    <message>
+        <source>Leaping needs the sampling step it prepares for, in mm and above 0.</source>
+        <translation>Das Springen braucht die Abtastweite, für die es vorbereitet, in mm und über 0.</translation>
+    </message>
+    <message>
+        <source>The probability and relative radius of centre-voxel groups must lie in 0 to 1.</source>
+        <translation>Wahrscheinlichkeit und relativer Radius der Mittelvoxel-Gruppen müssen in 0 bis 1 liegen.</translation>
+    </message>
+    <message>
+        <source>Leaping keeps densities of 15 bits, and this volume has f32 values: state the range to quantise (--leap-quantise LO,HI), or use the structure macrocells, octree, pyramid, pc, acd or eacd.</source>
+        <translation>Das Springen hält Dichten von 15 Bit, und dieses Volumen hat f32-Werte: bitte den Bereich zum Quantisieren nennen oder die Struktur macrocells, octree, pyramid, pc, acd oder eacd nehmen.</translation>
+    </message>
+    <message>
+        <source>The lower end of the range to quantise must be below its upper end.</source>
+        <translation>Das untere Ende des Bereichs zum Quantisieren muss unter dem oberen liegen.</translation>
+    </message>
+    <message>
+        <source>The homogeneity of leap is a share of the value range: it must lie within 0 to 1.</source>
+        <translation>Die Homogenität von leap ist ein Anteil am Wertebereich: Sie muss in 0 bis 1 liegen.</translation>
+    </message>
+    <message>
+        <source>Centre-voxel groups take a probability and a relative radius within 0 to 1.</source>
+        <translation>Mittelvoxel-Gruppen haben eine Wahrscheinlichkeit und einen relativen Radius in 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>The smallest region to leap through has 1 voxel or more.</source>
+        <translation>Die kleinste zu überspringende Region hat mindestens 1 Voxel.</translation>
+    </message>
+    <message>
+        <source>The range leap is to quantise must be finite, its lower end below its upper.</source>
+        <translation>Der Bereich, den leap quantisieren soll, muss endlich sein, das untere Ende unter dem oberen.</translation>
+    </message>
+    <message>
+        <source>The leaping kernel &apos;%1&apos; shows all regions alike; &apos;lossless&apos; hides some or draws them its own way.</source>
+        <translation>Der Sprungkernel „%1“ zeigt alle Regionen gleich; „lossless“ blendet einzelne aus oder zeichnet sie eigens.</translation>
+    </message>
+    <message>
+        <source>The leaping kernel &apos;%1&apos; serves mode ea without shading and opacity by gradient, sampled linearly; &apos;lossless&apos; serves the rest.</source>
+        <translation>Der Sprungkernel „%1“ dient dem Modus ea ohne Schattierung und Deckkraft nach Gradient, linear abgetastet; „lossless“ dient dem Rest.</translation>
+    </message>
+    <message>
+        <source>There is no gradient &apos;%1&apos;; known are central or sobel, on-the-fly or stored, or one of each (sobel,stored).</source>
+        <translation>Einen Gradienten „%1“ gibt es nicht; bekannt sind central oder sobel, on-the-fly oder stored, oder je einer davon (sobel,stored).</translation>
+    </message>
+    <message>
+        <source>The sampler &apos;adaptive&apos; belongs to ray casting; shear-warp takes nearest or linear.</source>
+        <translation>Der Abtaster „adaptive“ gehört zum Strahlenwerfen; Shear-Warp nimmt nearest oder linear.</translation>
+    </message>
+    <message>
+        <source>The refinement &apos;cubic&apos; solves the trilinear signal: it goes with the sampler linear alone.</source>
+        <translation>Die Verfeinerung „cubic“ löst das trilineare Signal: Sie gehört allein zum Abtaster linear.</translation>
+    </message>
+    <message>
+        <source>Bricks go with the samplers nearest and linear, central gradients on the fly, the integration riemann, refinements other than cubic and plain sparse casting.</source>
+        <translation>Zu Blöcken gehören die Abtaster nearest und linear, zentrale Gradienten im Lauf, die Integration riemann, andere Verfeinerungen als cubic und schlichtes dünnes Strahlenwerfen.</translation>
+    </message>
+    <message>
+        <source>Pre-integrated segments serve the mode ea alone; take the integration riemann for the others.</source>
+        <translation>Vorintegrierte Abschnitte dienen nur dem Modus ea; bitte für die anderen die Integration riemann nehmen.</translation>
+    </message>
+    <message>
+        <source>Pre-integrated segments take values to change linearly: they go with the sampler linear alone.</source>
+        <translation>Vorintegrierte Abschnitte setzen linear veränderliche Werte voraus: Sie gehören allein zum Abtaster linear.</translation>
+    </message>
+    <message>
+        <source>Homogeneous runs do not go with pre-integrated segments; take the integration riemann.</source>
+        <translation>Homogene Läufe vertragen sich nicht mit vorintegrierten Abschnitten; bitte die Integration riemann nehmen.</translation>
+    </message>
+    <message>
+        <source>Opacity by gradient cannot be integrated over values alone; take the integration riemann.</source>
+        <translation>Deckkraft nach Gradient lässt sich nicht über Werte allein integrieren; bitte die Integration riemann nehmen.</translation>
+    </message>
+    <message>
+        <source>The step must lie between 0.01 and 100 voxel spacings.</source>
+        <translation>Die Schrittweite muss zwischen 0,01 und 100 Voxelabständen liegen.</translation>
+    </message>
+    <message>
+        <source>The number of refinement steps must lie between 0 and 64.</source>
+        <translation>Die Zahl der Verfeinerungsschritte muss zwischen 0 und 64 liegen.</translation>
+    </message>
+    <message>
+        <source>The early ray termination must be at least 0 and below 1.</source>
+        <translation>Das frühe Strahlende muss mindestens 0 und unter 1 sein.</translation>
+    </message>
+    <message>
+        <source>The homogeneity threshold must not be negative, its angle lie within 0 to 180 degrees.</source>
+        <translation>Die Homogenitätsschwelle darf nicht negativ sein, ihr Winkel muss in 0 bis 180 Grad liegen.</translation>
+    </message>
+    <message>
+        <source>The macro-cell edge must be 1, 4, 8 or 16 voxels.</source>
+        <translation>Die Kante der Makrozellen muss 1, 4, 8 oder 16 Voxel sein.</translation>
+    </message>
+    <message>
+        <source>The brick edge must lie between 8 and 1024 voxels; 0: no bricks.</source>
+        <translation>Die Kante der Blöcke muss zwischen 8 und 1024 Voxeln liegen; 0: keine Blöcke.</translation>
+    </message>
+    <message>
+        <source>Shear-warp does not work on bricks; use mode iso.</source>
+        <translation>Shear-Warp arbeitet nicht auf Blöcken; bitte den Modus iso nehmen.</translation>
+    </message>
+    <message>
+        <source>Regions and leaping kernels need the whole volume at hand, not bricks of it; leave one out, or raise the memory limit.</source>
+        <translation>Regionen und Sprungkernel brauchen das ganze Volumen, nicht Blöcke davon; bitte eines weglassen oder die Speichergrenze heraufsetzen.</translation>
+    </message>
+    <message>
+        <source>Regions are shown, hidden and coloured sample by sample, which cubic refinement, pre-integration and the adaptive sampler do not do; leave one of them out.</source>
+        <translation>Regionen werden Abtastpunkt für Abtastpunkt gezeigt, ausgeblendet und gefärbt, was kubische Verfeinerung, Vorintegration und der adaptive Abtaster nicht tun; bitte eines davon weglassen.</translation>
+    </message>
+    <message>
+        <source>Sparse casting takes every 2nd to 64th pixel.</source>
+        <translation>Dünnes Strahlenwerfen nimmt jeden 2. bis 64. Bildpunkt.</translation>
+    </message>
+    <message>
+        <source>The colour gradient of sparse casting must not be negative.</source>
+        <translation>Der Farbgradient des dünnen Strahlenwerfens darf nicht negativ sein.</translation>
+    </message>
+    <message>
+        <source>Sparse casting skips rays; shear-warp casts none. Leave one of them out.</source>
+        <translation>Dünnes Strahlenwerfen lässt Strahlen aus; Shear-Warp wirft keine. Bitte eines davon weglassen.</translation>
+    </message>
+    <message>
+        <source>Shear-warp divides the viewing directions into 6 or 24 regions.</source>
+        <translation>Shear-Warp teilt die Blickrichtungen in 6 oder 24 Bereiche.</translation>
+    </message>
+    <message>
+        <source>The structure &apos;%1&apos; knows no transfer functions of regions; none and leap do.</source>
+        <translation>Die Struktur „%1“ kennt keine Transferfunktionen von Regionen; none und leap kennen sie.</translation>
+    </message>
+    <message>
+        <source>The structure &apos;%1&apos; does not serve ray casting.</source>
+        <translation>Die Struktur „%1“ dient dem Strahlenwerfen nicht.</translation>
+    </message>
+    <message>
+        <source>Regions are those of the whole volume, and this one does not fit whole: raise --memory-limit, or take another structure than leap and show all regions.</source>
+        <translation>Regionen gelten für das ganze Volumen, und dieses passt nicht ganz hinein: bitte die Speichergrenze heraufsetzen oder eine andere Struktur als leap nehmen und alle Regionen zeigen.</translation>
+    </message>
+    <message>
+        <source>Drawing this volume brick by brick takes at least %1 and the limit is %2; raise --memory-limit or make a smaller picture.</source>
+        <translation>Dieses Volumen Block für Block zu zeichnen braucht mindestens %1, die Grenze ist %2; bitte die Speichergrenze heraufsetzen oder ein kleineres Bild nehmen.</translation>
+    </message>
+    <message>
+        <source>The reference renderer casts rays; shear-warp has its own renderer. Use mode iso to compare.</source>
+        <translation>Der Referenz-Renderer wirft Strahlen; Shear-Warp hat einen eigenen Renderer. Bitte zum Vergleich den Modus iso nehmen.</translation>
+    </message>
+    <message>
+        <source>leap has no key &quot;%1&quot;.</source>
+        <translation>leap hat keinen Schlüssel „%1“.</translation>
+    </message>
+    <message>
+        <source>this is no JSON.</source>
+        <translation>dies ist kein JSON.</translation>
+    </message>
+    <message>
+        <source>a plan is a JSON object.</source>
+        <translation>ein Plan ist ein JSON-Objekt.</translation>
+    </message>
+    <message>
+        <source>a plan has no key &quot;%1&quot;.</source>
+        <translation>ein Plan hat keinen Schlüssel „%1“.</translation>
+    </message>
+    <message>
+        <source>the plan&apos;s &quot;%1&quot; is of the wrong kind.</source>
+        <translation>„%1“ des Plans ist von falscher Art.</translation>
+    </message>
+    <message>
+        <source>Bricks of %1 voxels, streamed from disk: the volume&apos;s %2 do not go into %3.</source>
+        <translation>Blöcke von %1 Voxeln, vom Datenträger gelesen: Die %2 des Volumens passen nicht in %3.</translation>
+    </message>
+    <message>
+        <source>Bricks of %1 voxels: the device takes at most %2 at once, the volume has %3.</source>
+        <translation>Blöcke von %1 Voxeln: Das Gerät nimmt höchstens %2 auf einmal, das Volumen hat %3.</translation>
+    </message>
+    <message>
+        <source>Bricks of %1 voxels: the volume&apos;s %2 exceed what the device may hold.</source>
+        <translation>Blöcke von %1 Voxeln: Die %2 des Volumens sind mehr, als das Gerät halten darf.</translation>
+    </message>
+    <message>
+        <source>Rays run to their end: nothing is hidden.</source>
+        <translation>Strahlen laufen bis ans Ende: Nichts bleibt verborgen.</translation>
+    </message>
+    <message>
+        <source>Rays end at opacity %1: what is left is below %2 of 255 grey levels.</source>
+        <translation>Strahlen enden bei Deckkraft %1: Der Rest liegt unter %2 von 255 Graustufen.</translation>
+    </message>
+    <message>
+        <source>Adaptive sampler: nearest in blocks whose every value is drawn alike, so the picture is linear&apos;s; most reads of eight voxels go, little of the time.</source>
+        <translation>Adaptiver Abtaster: nearest in Blöcken, deren Werte alle gleich gezeichnet werden, also das Bild von linear; es entfallen die meisten Zugriffe auf acht Voxel, aber wenig Zeit.</translation>
+    </message>
+    <message>
+        <source>Adaptive sampler: little to gain here, the structure already leaves out most blocks that are drawn alike.</source>
+        <translation>Adaptiver Abtaster: hier wenig zu gewinnen, die Struktur lässt die meisten gleich gezeichneten Blöcke schon aus.</translation>
+    </message>
+    <message>
+        <source>Cubic: every cell the ray crosses is solved, so no wall is missed, whatever the step.</source>
+        <translation>Kubisch: Jede vom Strahl gekreuzte Zelle wird gelöst, also fehlt bei keiner Schrittweite eine Wand.</translation>
+    </message>
+    <message>
+        <source>Plain regula falsi: stalls on convex stretches; regula-falsi does not.</source>
+        <translation>Schlichte Regula falsi: stockt auf konvexen Strecken; regula-falsi nicht.</translation>
+    </message>
+    <message>
+        <source>A peak of the transfer function is narrower than the threshold: homogeneous nodes may hide it; pc, acd and eacd compare opacities.</source>
+        <translation>Eine Spitze der Transferfunktion ist schmaler als die Schwelle: Homogene Knoten können sie verdecken; pc, acd und eacd vergleichen Deckkräfte.</translation>
+    </message>
+    <message>
+        <source>Pre-integrated segments: a transfer function&apos;s peaks between two samples are not missed.</source>
+        <translation>Vorintegrierte Abschnitte: Spitzen der Transferfunktion zwischen zwei Abtastpunkten gehen nicht verloren.</translation>
+    </message>
+    <message>
+        <source>Sparse casting asks min-max cells what its rays may have missed.</source>
+        <translation>Dünnes Strahlenwerfen befragt Min-Max-Zellen, was den Strahlen entgangen sein kann.</translation>
+    </message>
+    <message>
+        <source>Sparse casting loses what is thinner than its pixel distance and no cast ray meets.</source>
+        <translation>Dünnes Strahlenwerfen verliert, was dünner als sein Bildpunktabstand ist und kein Strahl trifft.</translation>
+    </message>
+    <message>
+        <source>Stored gradients: 4 bytes a voxel, directions within 0.2 degrees of those on the fly.</source>
+        <translation>Gespeicherte Gradienten: 4 Byte je Voxel, Richtungen auf 0,2 Grad wie die im Lauf gerechneten.</translation>
+    </message>
+    <message>
+        <source>Visible voxels: shear-warp paints the surface voxels that 1 of 24 regions of viewing directions can see; 2x2 predecessors list about half as many as the 3x3 of 6 regions.</source>
+        <translation>Sichtbare Voxel: Shear-Warp zeichnet die Voxel der Oberfläche, die einer von 24 Bereichen der Blickrichtungen sehen kann; 2x2 Vorgänger ergeben etwa halb so viele wie die 3x3 bei 6 Bereichen.</translation>
+    </message>
+    <message>
+        <source>Bilinear within the slices for a still picture; nearest is the faster one while the view moves.</source>
+        <translation>Bilinear in den Schichten für ein stehendes Bild; nearest ist schneller, solange sich die Ansicht bewegt.</translation>
+    </message>
+    <message>
+        <source>No distances: no ray is cast.</source>
+        <translation>Keine Abstände: Es wird kein Strahl geworfen.</translation>
+    </message>
+    <message>
+        <source>Distances over macro-cells, an octant of directions each: rays jump to the next cell whose values lie on both sides of the surface.</source>
+        <translation>Abstände über Makrozellen, je Oktant der Richtungen: Strahlen springen zur nächsten Zelle, deren Werte zu beiden Seiten der Oberfläche liegen.</translation>
+    </message>
+    <message>
+        <source>Regula falsi, 5 steps: the surface&apos;s depth is far more exact than the sample distance.</source>
+        <translation>Regula falsi, 5 Schritte: Die Tiefe der Oberfläche ist weit genauer als die Abtastweite.</translation>
+    </message>
+    <message>
+        <source>Distances over macro-cells, an octant of directions each: rays jump to the next cell with a visible value.</source>
+        <translation>Abstände über Makrozellen, je Oktant der Richtungen: Strahlen springen zur nächsten Zelle mit einem sichtbaren Wert.</translation>
+    </message>
+    <message>
+        <source>Macro-cells: cells that can hold no winner are jumped over.</source>
+        <translation>Makrozellen: Zellen, die keinen Gewinner enthalten können, werden übersprungen.</translation>
+    </message>
+    <message>
+        <source>Macro-cells: a stretch of samples whose cells hold no value better than the best so far is left out, after the most promising stretch was sampled first.</source>
+        <translation>Makrozellen: Eine Strecke, deren Zellen keinen besseren Wert als den bisher besten enthalten, bleibt aus, nachdem die aussichtsreichste zuerst abgetastet wurde.</translation>
+    </message>
+    <message>
+        <source>Distances over macro-cells: rays jump over what the segmentation ranges hide.</source>
+        <translation>Abstände über Makrozellen: Strahlen überspringen, was die Segmentierungsbereiche ausblenden.</translation>
+    </message>
+    <message>
+        <source>No structure: the mean counts every sample.</source>
+        <translation>Keine Struktur: Im Mittel zählt jeder Abtastpunkt.</translation>
+    </message>
+    <message>
+        <source>No structure: regions have transfer functions of their own; none and leap know them.</source>
+        <translation>Keine Struktur: Regionen haben eigene Transferfunktionen; none und leap kennen sie.</translation>
+    </message>
+    <message>
+        <source>Cells of 4^3 voxels: closer to what is visible than 8^3, an eighth of the voxels&apos; bytes.</source>
+        <translation>Zellen von 4^3 Voxeln: näher am Sichtbaren als 8^3, ein Achtel der Bytes der Voxel.</translation>
+    </message>
+    <message>
+        <source>Two samples a voxel, trilinear: below that, thin walls are missed.</source>
+        <translation>Zwei Abtastpunkte je Voxel, trilinear: Bei weniger gehen dünne Wände verloren.</translation>
+    </message>
+    <message>
+        <source>No stored gradients: they are taken where a sample shows.</source>
+        <translation>Keine gespeicherten Gradienten: Sie werden gerechnet, wo ein Abtastpunkt sichtbar ist.</translation>
+    </message>
+    <message>
+        <source>Every sample counts in the mean: a structure gains nothing here.</source>
+        <translation>Im Mittel zählt jeder Abtastpunkt: Eine Struktur bringt hier nichts.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; knows what is visible, not how large it is: without segmentation ranges it gains nothing in this mode.</source>
+        <translation>„%1“ weiß, was sichtbar ist, nicht wie groß es ist: Ohne Segmentierungsbereiche bringt es in diesem Modus nichts.</translation>
+    </message>
+    <message>
+        <source>Brute force: what every other plan is measured against.</source>
+        <translation>Brute Force: daran wird jeder andere Plan gemessen.</translation>
+    </message>
+    <message>
+        <source>The structure &apos;%1&apos;, as asked.</source>
+        <translation>Die Struktur „%1“, wie verlangt.</translation>
+    </message>
+    <message>
+        <source>how far off it is only a drawn view tells, and %1 more are to come.</source>
+        <translation>Die Abweichung zeigt nur eine gezeichnete Ansicht, und %1 weitere stehen aus.</translation>
+    </message>
+    <message>
+        <source>%1/255 off on %2 rays of this view; the budget is %3/255.</source>
+        <translation>weicht auf %2 Strahlen dieser Ansicht um %1/255 ab; das Budget ist %3/255.</translation>
+    </message>
+    <message>
+        <source>about %1 ms a frame, no faster than without loss (%2 ms).</source>
+        <translation>etwa %1 ms je Bild, nicht schneller als ohne Verlust (%2 ms).</translation>
+    </message>
+    <message>
+        <source>what it interpolates is over %1/255 off for any gradient.</source>
+        <translation>das Interpolierte weicht bei jedem Gradienten um mehr als %1/255 ab.</translation>
+    </message>
+    <message>
+        <source>it would cast %1 % of the rays and take about %2 ms a frame, %3 ms without.</source>
+        <translation>würde %1 % der Strahlen werfen und etwa %2 ms je Bild brauchen, ohne %3 ms.</translation>
+    </message>
+    <message>
+        <source>%1/255 off in the whole view; the budget is %2/255.</source>
+        <translation>weicht in der ganzen Ansicht um %1/255 ab; das Budget ist %2/255.</translation>
+    </message>
+    <message>
+        <source>about %1 ms a frame expected; others that fit take %2 ms.</source>
+        <translation>etwa %1 ms je Bild zu erwarten; andere passende brauchen %2 ms.</translation>
+    </message>
+    <message>
+        <source>%1 faster ones did not keep the budget; not drawn.</source>
+        <translation>%1 schnellere hielten das Budget nicht; nicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>%1 ms a frame; the plan taken needs %2 ms, timed in turn.</source>
+        <translation>%1 ms je Bild; der gewählte Plan braucht %2 ms, im Wechsel gemessen.</translation>
+    </message>
+    <message>
+        <source>about %1/255 off expected; the plan taken is %2/255 off.</source>
+        <translation>etwa %1/255 Abweichung zu erwarten; der gewählte Plan weicht um %2/255 ab.</translation>
+    </message>
+    <message>
+        <source>about %1 ms a frame and %2 ms to build; %3 takes %4 ms and %5 ms over %6 frames.</source>
+        <translation>etwa %1 ms je Bild und %2 ms zum Aufbau; %3 braucht %4 ms und %5 ms über %6 Bilder.</translation>
+    </message>
+    <message>
+        <source>about %1 ms a frame; the budget is %2 ms.</source>
+        <translation>etwa %1 ms je Bild; das Budget ist %2 ms.</translation>
+    </message>
+    <message>
+        <source>%1 ms for the whole view; the budget is %2 ms.</source>
+        <translation>%1 ms für die ganze Ansicht; das Budget ist %2 ms.</translation>
+    </message>
+    <message>
+        <source>%1/255 off; the plan taken is %2/255 off.</source>
+        <translation>weicht um %1/255 ab; der gewählte Plan um %2/255.</translation>
+    </message>
+    <message>
+        <source>Measured in %1 of %2 views, the worst of them counts; the others may differ.</source>
+        <translation>In %1 von %2 Ansichten gemessen, die schlechteste zählt; die anderen können abweichen.</translation>
+    </message>
+    <message>
+        <source>Holds in all %1 views by rule (the same samples as brute force are taken in any), and was measured in %2 of them.</source>
+        <translation>Gilt nach der Regel in allen %1 Ansichten (in jeder werden dieselben Abtastpunkte wie bei Brute Force genommen) und wurde in %2 davon gemessen.</translation>
+    </message>
+    <message>
+        <source>Holds in all %1 views by rule (rays end where at most %2 of 255 levels are hidden, in any), and was measured in %3 of them.</source>
+        <translation>Gilt nach der Regel in allen %1 Ansichten (Strahlen enden in jeder, wo höchstens %2 von 255 Stufen verborgen sind) und wurde in %3 davon gemessen.</translation>
+    </message>
+    <message>
+        <source>%1: %2/255 from brute force over the whole view and %3 ms a frame, both measured (error budget %4).</source>
+        <translation>%1: %2/255 Abweichung von Brute Force über die ganze Ansicht und %3 ms je Bild, beides gemessen (Fehlerbudget %4).</translation>
+    </message>
+    <message>
+        <source>%1: %2/255 from brute force over the whole view and %3 ms a frame, both measured (time budget %4).</source>
+        <translation>%1: %2/255 Abweichung von Brute Force über die ganze Ansicht und %3 ms je Bild, beides gemessen (Zeitbudget %4).</translation>
+    </message>
+    <message>
+        <source>No plan tried fits the time budget; this is the fastest.</source>
+        <translation>Kein versuchter Plan passt ins Zeitbudget; dies ist der schnellste.</translation>
+    </message>
+    <message>
+        <source>In other views than this it fails on this scene (%1). %2</source>
+        <translation>In anderen Ansichten versagt er an dieser Szene (%1). %2</translation>
+    </message>
+    <message>
+        <source>it fails on this scene (%1). %2</source>
+        <translation>versagt an dieser Szene (%1). %2</translation>
+    </message>
+    <message>
+        <source>about %1 ms a frame by this device&apos;s costs, %2 about %3 ms; not measured.</source>
+        <translation>etwa %1 ms je Bild nach den Kosten dieses Geräts, %2 etwa %3 ms; nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>step %1 with ert %2 is %3/255 off already; not measured.</source>
+        <translation>Schrittweite %1 mit ert %2 weicht schon um %3/255 ab; nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Not measured yet.</source>
+        <translation>Noch nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>Not measured: the time set for this run was over.</source>
+        <translation>Nicht gemessen: Die Zeit für diesen Lauf war um.</translation>
+    </message>
+    <message>
+        <source>the mode &apos;%1&apos;</source>
+        <translation>den Modus „%1“</translation>
+    </message>
+    <message>
+        <source>a scene with cuts</source>
+        <translation>eine Szene mit Schnitten</translation>
+    </message>
+    <message>
+        <source>a scene with segmentation ranges</source>
+        <translation>eine Szene mit Segmentierungsbereichen</translation>
+    </message>
+    <message>
+        <source>a scene with effects</source>
+        <translation>eine Szene mit Effekten</translation>
+    </message>
+    <message>
+        <source>a scene by regions</source>
+        <translation>eine Szene nach Regionen</translation>
+    </message>
+    <message>
+        <source>shaded emission-absorption of solid parts (take --shading none)</source>
+        <translation>schattierte Emission-Absorption fester Teile (bitte ohne Schattierung)</translation>
+    </message>
+    <message>
+        <source>The reference renderer, used where no OpenCL device works,</source>
+        <translation>Der Referenz-Renderer, der ohne brauchbares OpenCL-Gerät arbeitet,</translation>
+    </message>
+    <message>
+        <source>The effect &apos;ao&apos;</source>
+        <translation>Der Effekt „ao“</translation>
+    </message>
+    <message>
+        <source>its driver says it is not available</source>
+        <translation>laut Treiber nicht verfügbar</translation>
+    </message>
+    <message>
+        <source>its driver has no compiler</source>
+        <translation>der Treiber hat keinen Compiler</translation>
+    </message>
+    <message>
+        <source>the compiler gave no reason</source>
+        <translation>der Compiler nannte keinen Grund</translation>
+    </message>
+    <message>
+        <source>sampling a ramp gave %1 in place of %2</source>
+        <translation>das Abtasten einer Rampe ergab %1 statt %2</translation>
+    </message>
+    <message>
+        <source>a sum gave %1 in place of %2</source>
+        <translation>eine Summe ergab %1 statt %2</translation>
+    </message>
+    <message>
+        <source>copying %1 bytes to the device</source>
+        <translation>Kopieren von %1 Byte zum Gerät</translation>
+    </message>
+    <message>
+        <source>allocating %1 bytes on the device</source>
+        <translation>Belegen von %1 Byte auf dem Gerät</translation>
+    </message>
+    <message>
+        <source>reading a result from the device</source>
+        <translation>Lesen eines Ergebnisses vom Gerät</translation>
+    </message>
+    <message>
+        <source>running its self-test</source>
+        <translation>Selbsttest</translation>
+    </message>
+    <message>
+        <source>timing the ranking kernel</source>
+        <translation>Messen des Rangkernels</translation>
+    </message>
+    <message>
+        <source>making kernel %1 of %2</source>
+        <translation>Erzeugen des Kernels %1 von %2</translation>
+    </message>
+    <message>
+        <source>radius in mm</source>
+        <translation>Radius in mm</translation>
+    </message>
+    <message>
+        <source>number of samples</source>
+        <translation>Zahl der Abtastpunkte</translation>
+    </message>
+    <message>
+        <source>distance in mm</source>
+        <translation>Abstand in mm</translation>
+    </message>
+    <message>
+        <source>rendering</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>opening %1</source>
+        <translation>Öffnen von %1</translation>
+    </message>
+    <message>
+        <source>a word</source>
+        <translation>ein Wort</translation>
+    </message>
+    <message>
+        <source>There is no volume to inspect.</source>
+        <translation>Es gibt kein Volumen zu prüfen.</translation>
+    </message>
+    <message>
+        <source>min_voxels must be 1 or more.</source>
+        <translation>Die kleinste Größe muss mindestens 1 Voxel sein.</translation>
+    </message>
+    <message>
+        <source>The void threshold must be a finite number.</source>
+        <translation>Die Schwelle für Hohlräume muss eine endliche Zahl sein.</translation>
+    </message>
+    <message>
+        <source>The inclusion threshold must be a finite number.</source>
+        <translation>Die Schwelle für Einschlüsse muss eine endliche Zahl sein.</translation>
+    </message>
+    <message>
+        <source>A fixed threshold needs its value: give the material&apos;s range or the void threshold.</source>
+        <translation>Eine feste Schwelle braucht ihren Wert: bitte den Bereich des Materials oder die Schwelle für Hohlräume angeben.</translation>
+    </message>
+    <message>
+        <source>No value lies in the material&apos;s range. Nothing can be inspected.</source>
+        <translation>Im Bereich des Materials liegt kein Wert. Es lässt sich nichts prüfen.</translation>
+    </message>
+    <message>
+        <source>The values form one population: there is no material that stands out from air. Nothing can be inspected.</source>
+        <translation>Die Werte bilden eine einzige Gruppe: Kein Material hebt sich von der Luft ab. Es lässt sich nichts prüfen.</translation>
+    </message>
+    <message>
+        <source>The volume holds no finite value. Nothing can be inspected.</source>
+        <translation>Das Volumen enthält keinen endlichen Wert. Es lässt sich nichts prüfen.</translation>
+    </message>
+    <message>
+        <source>All values of the volume are the same. Nothing can be inspected.</source>
+        <translation>Alle Werte des Volumens sind gleich. Es lässt sich nichts prüfen.</translation>
+    </message>
+    <message>
+        <source>The number of voids or the porosity changes with every threshold: the curve has no plateau, and no threshold is better founded than its neighbours.</source>
+        <translation>Die Zahl der Hohlräume oder die Porosität ändert sich mit jeder Schwelle: Die Kurve hat kein Plateau, und keine Schwelle ist besser begründet als ihre Nachbarn.</translation>
+    </message>
+    <message>
+        <source>No clear edge was found to measure the blur by; 0.7 voxels are taken.</source>
+        <translation>Zum Messen der Unschärfe fand sich keine klare Kante; angenommen sind 0,7 Voxel.</translation>
+    </message>
+    <message>
+        <source>%1 voxels hold no finite value; they count as empty.</source>
+        <translation>%1 Voxel enthalten keinen endlichen Wert; sie zählen als leer.</translation>
+    </message>
+    <message>
+        <source>No material lies inside the outline of a part.</source>
+        <translation>Innerhalb des Umrisses eines Teils liegt kein Material.</translation>
+    </message>
+    <message>
+        <source>There is no defect of that number in this analysis of the volume.</source>
+        <translation>Eine Fehlstelle dieser Nummer gibt es in dieser Auswertung des Volumens nicht.</translation>
+    </message>
+    <message>
+        <source>There is no defect %1; the part has %2.</source>
+        <translation>Eine Fehlstelle %1 gibt es nicht; das Teil hat %2.</translation>
+    </message>
+    <message>
+        <source>The decision on defect %1 needs a reason.</source>
+        <translation>Die Entscheidung über Fehlstelle %1 braucht eine Begründung.</translation>
+    </message>
+    <message>
+        <source>Judging needs one mask a zone.</source>
+        <translation>Zum Urteilen braucht jede Zone ihre Maske.</translation>
+    </message>
+    <message>
+        <source>There is no defect.</source>
+        <translation>Es gibt keine Fehlstelle.</translation>
+    </message>
+    <message>
+        <source>The zone holds nothing of the part.</source>
+        <translation>Die Zone enthält nichts vom Teil.</translation>
+    </message>
+    <message>
+        <source>The zone reaches out of the volume; a piece of it was not seen.</source>
+        <translation>Die Zone ragt aus dem Volumen; ein Stück davon wurde nicht gesehen.</translation>
+    </message>
+    <message>
+        <source>within all limits</source>
+        <translation>innerhalb aller Grenzen</translation>
+    </message>
+    <message>
+        <source>accepted by hand: %1</source>
+        <translation>von Hand angenommen: %1</translation>
+    </message>
+    <message>
+        <source>rejected by hand: %1</source>
+        <translation>von Hand abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>defect %1: it cannot be measured.</source>
+        <translation>Fehlstelle %1: Sie ist nicht messbar.</translation>
+    </message>
+    <message>
+        <source>it cannot be measured.</source>
+        <translation>Es ist nicht messbar.</translation>
+    </message>
+    <message>
+        <source>defect %1: %2 keeps %3, the most allowed.</source>
+        <translation>Fehlstelle %1: %2 hält die Grenze ein, höchstens %3.</translation>
+    </message>
+    <message>
+        <source>defect %1: %2 keeps %3, the least allowed.</source>
+        <translation>Fehlstelle %1: %2 hält die Grenze ein, mindestens %3.</translation>
+    </message>
+    <message>
+        <source>defect %1: %2 breaks %3, the most allowed.</source>
+        <translation>Fehlstelle %1: %2 verletzt die Grenze, höchstens %3.</translation>
+    </message>
+    <message>
+        <source>defect %1: %2 breaks %3, the least allowed.</source>
+        <translation>Fehlstelle %1: %2 verletzt die Grenze, mindestens %3.</translation>
+    </message>
+    <message>
+        <source>defect %1: %2 lies on both sides of %3, the most allowed.</source>
+        <translation>Fehlstelle %1: %2 liegt zu beiden Seiten der Grenze, höchstens %3.</translation>
+    </message>
+    <message>
+        <source>defect %1: %2 lies on both sides of %3, the least allowed.</source>
+        <translation>Fehlstelle %1: %2 liegt zu beiden Seiten der Grenze, mindestens %3.</translation>
+    </message>
+    <message>
+        <source>%1 keeps %2, the most allowed.</source>
+        <translation>%1 hält die Grenze ein, höchstens %2.</translation>
+    </message>
+    <message>
+        <source>%1 keeps %2, the least allowed.</source>
+        <translation>%1 hält die Grenze ein, mindestens %2.</translation>
+    </message>
+    <message>
+        <source>%1 breaks %2, the most allowed.</source>
+        <translation>%1 verletzt die Grenze, höchstens %2.</translation>
+    </message>
+    <message>
+        <source>%1 breaks %2, the least allowed.</source>
+        <translation>%1 verletzt die Grenze, mindestens %2.</translation>
+    </message>
+    <message>
+        <source>%1 lies on both sides of %2, the most allowed.</source>
+        <translation>%1 liegt zu beiden Seiten der Grenze, höchstens %2.</translation>
+    </message>
+    <message>
+        <source>%1 lies on both sides of %2, the least allowed.</source>
+        <translation>%1 liegt zu beiden Seiten der Grenze, mindestens %2.</translation>
+    </message>
+    <message>
+        <source>Criteria %1: %2 %9.</source>
+        <translation>Kriterien %1: %2 %9.</translation>
+    </message>
+    <message>
+        <source>Zone %1 %9.</source>
+        <translation>Zone %1 %9.</translation>
+    </message>
+    <message>
+        <source>There was not enough memory.</source>
+        <translation>Der Speicher reichte nicht.</translation>
+    </message>
+    <message>
+        <source>Inspecting it takes %1 MB and the limit is %2 MB.</source>
+        <translation>Die Prüfung braucht %1 MB, die Grenze ist %2 MB.</translation>
+    </message>
+    <message>
+        <source>A series runs 1 to 1024 parts at once.</source>
+        <translation>Eine Serie prüft 1 bis 1024 Teile zugleich.</translation>
+    </message>
+    <message>
+        <source>A shard is I/N with 1 &lt;= I &lt;= N.</source>
+        <translation>Ein Anteil ist I/N mit 1 &lt;= I &lt;= N.</translation>
+    </message>
+    <message>
+        <source>The folder %1 is being filled by another run of this series; wait for it to end, or stop it.</source>
+        <translation>Den Ordner %1 füllt gerade ein anderer Lauf dieser Serie; bitte sein Ende abwarten oder ihn anhalten.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 parts in %3 are not done (%4); run their shards again.</source>
+        <translation>%1 von %2 Teilen in %3 sind nicht fertig (%4); bitte ihre Anteile noch einmal rechnen.</translation>
+    </message>
+    <message>
+        <source>The folder %1 holds no series; name the --report folder of its shards.</source>
+        <translation>Der Ordner %1 enthält keine Serie; bitte den Berichtsordner ihrer Anteile nennen.</translation>
+    </message>
+    <message>
+        <source>The file %1 is damaged; start the series anew.</source>
+        <translation>Die Datei %1 ist beschädigt; bitte die Serie neu beginnen.</translation>
+    </message>
+    <message>
+        <source>The file %1 is no list of inputs, one a line; name the folder it lies in, or a list that names it.</source>
+        <translation>Die Datei %1 ist keine Liste von Eingaben, eine je Zeile; bitte ihren Ordner nennen oder eine Liste, die sie nennt.</translation>
+    </message>
+    <message>
+        <source>There is no volume to find regions in; load one first.</source>
+        <translation>Es gibt kein Volumen, um Regionen zu finden; bitte zuerst eines laden.</translation>
+    </message>
+    <message>
+        <source>Regions need either a range width or a threshold: give exactly one of them.</source>
+        <translation>Regionen brauchen entweder eine Bereichsbreite oder eine Schwelle: bitte genau eines davon angeben.</translation>
+    </message>
+    <message>
+        <source>The range width is a share of the volume&apos;s value range: give a number from 0 to 1.</source>
+        <translation>Die Bereichsbreite ist ein Anteil am Wertebereich des Volumens: bitte eine Zahl von 0 bis 1 angeben.</translation>
+    </message>
+    <message>
+        <source>The background&apos;s lower value must not exceed its upper one.</source>
+        <translation>Der untere Wert des Hintergrunds darf nicht über dem oberen liegen.</translation>
+    </message>
+    <message>
+        <source>The smallest region has 1 voxel: give at least 1.</source>
+        <translation>Die kleinste Region hat 1 Voxel: bitte mindestens 1 angeben.</translation>
+    </message>
+    <message>
+        <source>The gradient limit is a number from 0 up, in the volume&apos;s unit per mm.</source>
+        <translation>Die Gradientengrenze ist eine Zahl ab 0, in der Einheit des Volumens je mm.</translation>
+    </message>
+    <message>
+        <source>The connectivity is 6, 18 or 26.</source>
+        <translation>Die Nachbarschaft ist 6, 18 oder 26.</translation>
+    </message>
+    <message>
+        <source>Homogeneous regions need a range width, not a threshold.</source>
+        <translation>Homogene Regionen brauchen eine Bereichsbreite, keine Schwelle.</translation>
+    </message>
+    <message>
+        <source>The labels do not lie on the volume&apos;s grid; make them from this volume.</source>
+        <translation>Die Markierungen liegen nicht auf dem Gitter des Volumens; bitte aus diesem Volumen erstellen.</translation>
+    </message>
+    <message>
+        <source>The region&apos;s box lies outside the labels; measure these labels first.</source>
+        <translation>Der Quader der Region liegt außerhalb der Markierungen; bitte diese zuerst vermessen.</translation>
+    </message>
+    <message>
+        <source>Crofton&apos;s formula, 13 directions, weighted for the voxel spacing</source>
+        <translation>Crofton-Formel, 13 Richtungen, gewichtet nach dem Voxelabstand</translation>
+    </message>
+    <message>
+        <source>regions %1-connected, cavities %2-connected</source>
+        <translation>Regionen mit %1er-Nachbarschaft, Höhlungen mit %2er-Nachbarschaft</translation>
+    </message>
+    <message>
+        <source>There is no colour map &apos;%1&apos;; known are %2.</source>
+        <translation>Eine Farbtafel „%1“ gibt es nicht; bekannt sind %2.</translation>
+    </message>
+    <message>
+        <source>There is no transfer-function preset &quot;%1&quot;; the presets are %2.</source>
+        <translation>Eine Vorgabe „%1“ für die Transferfunktion gibt es nicht; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>The transfer function &quot;%1&quot; is not usable: %9.</source>
+        <translation>Die Transferfunktion „%1“ ist nicht brauchbar: %9.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; %9.</source>
+        <translation>„%1“ %9.</translation>
+    </message>
+    <message>
+        <source>the document %9.</source>
+        <translation>das Dokument %9.</translation>
+    </message>
+    <message>
+        <source>This volume does not lie in memory, where its values could be counted again; crop it, or raise the memory limit.</source>
+        <translation>Dieses Volumen liegt nicht im Speicher, wo seine Werte neu gezählt werden könnten; bitte zuschneiden oder die Speichergrenze heraufsetzen.</translation>
+    </message>
+    <message>
+        <source>The presets cannot be read from %1: %9.</source>
+        <translation>Die Vorgaben können nicht aus %1 gelesen werden: %9.</translation>
+    </message>
+    <message>
+        <source>The folder for presets cannot be made: %1: %9.</source>
+        <translation>Der Ordner für Vorgaben kann nicht angelegt werden: %1: %9.</translation>
+    </message>
+    <message>
+        <source>The preset cannot be removed: %1: %9.</source>
+        <translation>Die Vorgabe kann nicht entfernt werden: %1: %9.</translation>
+    </message>
+    <message>
+        <source>its step must lie between 0.01 and 100.</source>
+        <translation>Ihre Schrittweite muss zwischen 0,01 und 100 liegen.</translation>
+    </message>
+    <message>
+        <source>%1 has to be %9.</source>
+        <translation>%1 muss %9 sein.</translation>
+    </message>
+    <message>
+        <source>exactly one of range_width and threshold has to be given.</source>
+        <translation>Genau eines von range_width und threshold muss angegeben sein.</translation>
+    </message>
+    <message>
+        <source>range_width has to lie between 0 and 1.</source>
+        <translation>range_width muss zwischen 0 und 1 liegen.</translation>
+    </message>
+    <message>
+        <source>connectivity has to be 6, 18 or 26.</source>
+        <translation>connectivity muss 6, 18 oder 26 sein.</translation>
+    </message>
+    <message>
+        <source>min_voxels has to be 1 or more.</source>
+        <translation>min_voxels muss mindestens 1 sein.</translation>
+    </message>
+    <message>
+        <source>there are more than %1 ranges.</source>
+        <translation>Es gibt mehr als %1 Bereiche.</translation>
+    </message>
+    <message>
+        <source>there are more than %1 cutting planes.</source>
+        <translation>Es gibt mehr als %1 Schnittebenen.</translation>
+    </message>
+    <message>
+        <source>the ends of the box have to ascend within 0 to 1.</source>
+        <translation>Die Enden des Quaders müssen innerhalb von 0 bis 1 aufsteigen.</translation>
+    </message>
+    <message>
+        <source>quality.step has to lie between 0.01 and 100.</source>
+        <translation>quality.step muss zwischen 0,01 und 100 liegen.</translation>
+    </message>
+    <message>
+        <source>a grey level is no number.</source>
+        <translation>Eine Graustufe ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>a cutting plane has no direction.</source>
+        <translation>Eine Schnittebene hat keine Richtung.</translation>
+    </message>
+    <message>
+        <source>slices.tilt is no unit quaternion.</source>
+        <translation>slices.tilt ist kein Einheitsquaternion.</translation>
+    </message>
+    <message>
+        <source>slices.slab.thickness_mm has to be 0 or more.</source>
+        <translation>slices.slab.thickness_mm muss mindestens 0 sein.</translation>
+    </message>
+    <message>
+        <source>slices.table has to be 0 or more.</source>
+        <translation>slices.table muss mindestens 0 sein.</translation>
+    </message>
+    <message>
+        <source>slices.overlay_opacity has to be from 0 to 1.</source>
+        <translation>slices.overlay_opacity muss von 0 bis 1 sein.</translation>
+    </message>
+    <message>
+        <source>it has not as many points as its kind needs.</source>
+        <translation>Sie hat nicht so viele Punkte, wie ihre Art braucht.</translation>
+    </message>
+    <message>
+        <source>a point is no position.</source>
+        <translation>Ein Punkt ist keine Lage.</translation>
+    </message>
+    <message>
+        <source>its axes are no unit vectors at right angles.</source>
+        <translation>Ihre Achsen sind keine senkrechten Einheitsvektoren.</translation>
+    </message>
+    <message>
+        <source>The ends of a logarithmic axis must lie above 0.</source>
+        <translation>Die Enden einer logarithmischen Achse müssen über 0 liegen.</translation>
+    </message>
+    <message>
+        <source>The low end of an axis must lie below its high end.</source>
+        <translation>Das untere Ende einer Achse muss unter dem oberen liegen.</translation>
+    </message>
+    <message>
+        <source>The drawing failed: %1.</source>
+        <translation>Die Zeichnung ist gescheitert: %1.</translation>
+    </message>
+    <message>
+        <source>A drawing must be wider and higher than 0 and at most 16384 pixels a side.</source>
+        <translation>Eine Zeichnung muss breiter und höher als 0 sein und darf höchstens 16384 Bildpunkte je Seite haben.</translation>
+    </message>
+    <message>
+        <source>A picture needs more than 0 pixels a point.</source>
+        <translation>Ein Bild braucht mehr als 0 Bildpunkte je Punkt.</translation>
+    </message>
+    <message>
+        <source>Only a PDF has more than one page.</source>
+        <translation>Nur ein PDF hat mehr als eine Seite.</translation>
+    </message>
+    <message>
+        <source>The drawing was finished before.</source>
+        <translation>Die Zeichnung war schon abgeschlossen.</translation>
+    </message>
+    <message>
+        <source>Bars need one edge more than they have heights.</source>
+        <translation>Balken brauchen eine Kante mehr, als sie Höhen haben.</translation>
+    </message>
+    <message>
+        <source>The edges of bars must ascend.</source>
+        <translation>Die Kanten von Balken müssen aufsteigen.</translation>
+    </message>
+    <message>
+        <source>The chart&apos;s box is too small for its labels.</source>
+        <translation>Das Feld des Diagramms ist zu klein für seine Beschriftung.</translation>
+    </message>
+    <message>
+        <source>A sheet needs at least one chart and one column.</source>
+        <translation>Ein Blatt braucht mindestens ein Diagramm und eine Spalte.</translation>
+    </message>
+    <message>
+        <source>A chart is written as .svg, .png or .pdf, not as &apos;%1&apos;.</source>
+        <translation>Ein Diagramm wird als .svg, .png oder .pdf geschrieben, nicht als „%1“.</translation>
+    </message>
+    <message>
+        <source>is given twice; keep one</source>
+        <translation>ist zweimal angegeben; bitte einmal streichen</translation>
+    </message>
+    <message>
+        <source>is not a JSON object; see docs/schemas/criteria.schema.json</source>
+        <translation>ist kein JSON-Objekt; siehe docs/schemas/criteria.schema.json</translation>
+    </message>
+    <message>
+        <source>is a number too large to be one; limits are finite</source>
+        <translation>ist eine zu große Zahl; Grenzen sind endlich</translation>
+    </message>
+    <message>
+        <source>or what follows it is no JSON (line %1); numbers are finite, names quoted</source>
+        <translation>oder was darauf folgt, ist kein JSON (Zeile %1); Zahlen sind endlich, Namen stehen in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>must be an object { ... }</source>
+        <translation>muss ein Objekt { ... } sein</translation>
+    </message>
+    <message>
+        <source>lacks its unit: write %1</source>
+        <translation>fehlt die Einheit: bitte %1 schreiben</translation>
+    </message>
+    <message>
+        <source>is no known key; known here are %1</source>
+        <translation>ist kein bekannter Schlüssel; bekannt sind hier %1</translation>
+    </message>
+    <message>
+        <source>must be a number, without quotes; its unit is part of the key</source>
+        <translation>muss eine Zahl ohne Anführungszeichen sein; die Einheit gehört zum Schlüssel</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be a whole number from %1 to %2</source>
+        <translation>muss eine ganze Zahl von %1 bis %2 sein</translation>
+    </message>
+    <message>
+        <source>is a text that is not &quot;auto&quot;</source>
+        <translation>ist ein anderer Text als &quot;auto&quot;</translation>
+    </message>
+    <message>
+        <source>must be [lo, hi] or &quot;auto&quot;</source>
+        <translation>muss [lo, hi] oder &quot;auto&quot; sein</translation>
+    </message>
+    <message>
+        <source>has lo &gt;= hi; the smaller value comes first</source>
+        <translation>hat lo &gt;= hi; der kleinere Wert kommt zuerst</translation>
+    </message>
+    <message>
+        <source>must be {&quot;%1&quot;: value} or &quot;auto&quot;</source>
+        <translation>muss {&quot;%1&quot;: Wert} oder &quot;auto&quot; sein</translation>
+    </message>
+    <message>
+        <source>names no kind of defect; give void, inclusion or both</source>
+        <translation>nennt keine Art von Fehlstelle; bitte void, inclusion oder beide angeben</translation>
+    </message>
+    <message>
+        <source>must be &quot;local&quot;, &quot;otsu&quot; or &quot;fixed&quot;</source>
+        <translation>muss &quot;local&quot;, &quot;otsu&quot; oder &quot;fixed&quot; sein</translation>
+    </message>
+    <message>
+        <source>is &quot;fixed&quot;, but neither material nor defects.void.below gives a value</source>
+        <translation>ist &quot;fixed&quot;, aber weder material noch defects.void.below nennt einen Wert</translation>
+    </message>
+    <message>
+        <source>must be 6, 18 or 26</source>
+        <translation>muss 6, 18 oder 26 sein</translation>
+    </message>
+    <message>
+        <source>lies above the material&apos;s values: all of the part would be void</source>
+        <translation>liegt über den Werten des Materials: Das ganze Teil wäre Hohlraum</translation>
+    </message>
+    <message>
+        <source>lies below the material&apos;s values: all of the part would be inclusion</source>
+        <translation>liegt unter den Werten des Materials: Das ganze Teil wäre Einschluss</translation>
+    </message>
+    <message>
+        <source>is not below defects.inclusion.above (lo &gt; hi): a value would be both</source>
+        <translation>liegt nicht unter defects.inclusion.above (lo &gt; hi): Ein Wert wäre beides</translation>
+    </message>
+    <message>
+        <source>is negative; a limit is 0 or more</source>
+        <translation>ist negativ; eine Grenze ist mindestens 0</translation>
+    </message>
+    <message>
+        <source>is above 100 percent</source>
+        <translation>liegt über 100 Prozent</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be [[x, y, z], [x, y, z]]: the smallest corner, then the largest, in mm</source>
+        <translation>muss [[x, y, z], [x, y, z]] sein: die kleinste Ecke, dann die größte, in mm</translation>
+    </message>
+    <message>
+        <source>has lo &gt;= hi along %1; the smallest corner comes first</source>
+        <translation>hat längs %1 lo &gt;= hi; die kleinste Ecke kommt zuerst</translation>
+    </message>
+    <message>
+        <source>must be a list [ ... ]</source>
+        <translation>muss eine Liste [ ... ] sein</translation>
+    </message>
+    <message>
+        <source>is missing; a zone needs a name</source>
+        <translation>fehlt; eine Zone braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>is used twice: %1</source>
+        <translation>ist zweimal vergeben: %1</translation>
+    </message>
+    <message>
+        <source>must have either box_mm or labels</source>
+        <translation>muss entweder box_mm oder labels haben</translation>
+    </message>
+    <message>
+        <source>must be the name of a label volume file</source>
+        <translation>muss der Name einer Datei mit Markierungen sein</translation>
+    </message>
+    <message>
+        <source>goes with labels, not with box_mm</source>
+        <translation>gehört zu labels, nicht zu box_mm</translation>
+    </message>
+    <message>
+        <source>is missing; a zone without limits says nothing</source>
+        <translation>fehlt; eine Zone ohne Grenzen besagt nichts</translation>
+    </message>
+    <message>
+        <source>lies outside the volume, or between its voxels; the volume reaches from %1 to %2 mm</source>
+        <translation>liegt außerhalb des Volumens oder zwischen seinen Voxeln; das Volumen reicht von %1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>has %1 voxels, the part %2; it must lie on the part&apos;s grid</source>
+        <translation>hat %1 Voxel, das Teil %2; sie muss auf dem Gitter des Teils liegen</translation>
+    </message>
+    <message>
+        <source>lies elsewhere than the part (origin, spacing or axes differ); it must lie on the part&apos;s grid</source>
+        <translation>liegt anderswo als das Teil (Ursprung, Abstand oder Achsen weichen ab); sie muss auf dem Gitter des Teils liegen</translation>
+    </message>
+    <message>
+        <source>holds no voxel of label %1</source>
+        <translation>enthält kein Voxel der Markierung %1</translation>
+    </message>
+    <message>
+        <source>holds no voxel above 0</source>
+        <translation>enthält kein Voxel über 0</translation>
+    </message>
+    <message>
+        <source>%1.magnitude must be two numbers of 0 or more, the first below the second</source>
+        <translation>%1.magnitude muss aus zwei Zahlen ab 0 bestehen, die erste unter der zweiten</translation>
+    </message>
+    <message>
+        <source>%1.values_at_lo must be two numbers, the first not above the second</source>
+        <translation>%1.values_at_lo muss aus zwei Zahlen bestehen, die erste nicht über der zweiten</translation>
+    </message>
+    <message>
+        <source>%1.values_at_hi must be two numbers, the first not above the second</source>
+        <translation>%1.values_at_hi muss aus zwei Zahlen bestehen, die erste nicht über der zweiten</translation>
+    </message>
+    <message>
+        <source>%1.opacity lies outside 0..1</source>
+        <translation>%1.opacity liegt außerhalb von 0..1</translation>
+    </message>
+    <message>
+        <source>%1.softness lies outside 0..1</source>
+        <translation>%1.softness liegt außerhalb von 0..1</translation>
+    </message>
+    <message>
+        <source>%1.color lies outside 0..1</source>
+        <translation>%1.color liegt außerhalb von 0..1</translation>
+    </message>
+    <message>
+        <source>unit_distance_mm must be a positive number</source>
+        <translation>unit_distance_mm muss eine positive Zahl sein</translation>
+    </message>
+    <message>
+        <source>points must hold at least one point</source>
+        <translation>points muss mindestens einen Punkt enthalten</translation>
+    </message>
+    <message>
+        <source>%1.value is not a finite number</source>
+        <translation>%1.value ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>%1.value lies below the point before it</source>
+        <translation>%1.value liegt unter dem Punkt davor</translation>
+    </message>
+    <message>
+        <source>%1.value is the third at one value (two make a jump)</source>
+        <translation>%1.value ist der dritte bei einem Wert (zwei ergeben einen Sprung)</translation>
+    </message>
+    <message>
+        <source>%1.magnitude is not a number of 0 or more</source>
+        <translation>%1.magnitude ist keine Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>%1.magnitude lies below the one before it</source>
+        <translation>%1.magnitude liegt unter dem Wert davor</translation>
+    </message>
+    <message>
+        <source>shapes holds more than %1</source>
+        <translation>shapes enthält mehr als %1</translation>
+    </message>
+    <message>
+        <source>must be a JSON object</source>
+        <translation>muss ein JSON-Objekt sein</translation>
+    </message>
+    <message>
+        <source>is an unknown key; known here: %1</source>
+        <translation>ist ein unbekannter Schlüssel; bekannt sind hier %1</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>must be a number</source>
+        <translation>muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be a list</source>
+        <translation>muss eine Liste sein</translation>
+    </message>
+    <message>
+        <source>must hold three numbers (red, green, blue)</source>
+        <translation>muss drei Zahlen enthalten (rot, grün, blau)</translation>
+    </message>
+    <message>
+        <source>must hold two numbers</source>
+        <translation>muss zwei Zahlen enthalten</translation>
+    </message>
+    <message>
+        <source>must be a text</source>
+        <translation>muss ein Text sein</translation>
+    </message>
+    <message>
+        <source>must be above 0</source>
+        <translation>muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>must be a whole number of 1 or more</source>
+        <translation>muss eine ganze Zahl ab 1 sein</translation>
+    </message>
+    <message>
+        <source>is not valid JSON (%1)</source>
+        <translation>ist kein gültiges JSON (%1)</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>a list of %1 numbers</source>
+        <translation>eine Liste von %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>a list of %1</source>
+        <translation>eine Liste von %1</translation>
+    </message>
+    <message>
+        <source>slices %1 to %2 (counted from 0) between %3 and %4</source>
+        <translation>Schichten %1 bis %2 (ab 0 gezählt) zwischen %3 und %4</translation>
+    </message>
+    <message>
+        <source>slice %1 (counted from 0) between %2 and %3</source>
+        <translation>Schicht %1 (ab 0 gezählt) zwischen %2 und %3</translation>
+    </message>
+    <message>
+        <source>There is no OpenCL device &quot;%1&quot;; %9.</source>
+        <translation>Ein OpenCL-Gerät „%1“ gibt es nicht; %9.</translation>
+    </message>
+    <message>
+        <source>known are %1</source>
+        <translation>bekannt sind %1</translation>
+    </message>
+    <message>
+        <source>there is none here</source>
+        <translation>hier gibt es keines</translation>
+    </message>
+    <message>
+        <source>reference renderer (no OpenCL device)</source>
+        <translation>Referenz-Renderer (kein OpenCL-Gerät)</translation>
+    </message>
+    <message>
+        <source>error measure</source>
+        <translation>Fehlermaß</translation>
+    </message>
+    <message>
+        <source>integration</source>
+        <translation>Integration</translation>
+    </message>
+    <message>
+        <source>leaping kernel</source>
+        <translation>Sprungkernel</translation>
+    </message>
+    <message>
+        <source>measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>refinement</source>
+        <translation>Verfeinerung</translation>
+    </message>
+    <message>
+        <source>sampler</source>
+        <translation>Abtaster</translation>
+    </message>
+    <message>
+        <source>shading</source>
+        <translation>Schattierung</translation>
+    </message>
+    <message>
+        <source>slab mode</source>
+        <translation>Schichtmodus</translation>
+    </message>
+    <message>
+        <source>structure</source>
+        <translation>Struktur</translation>
+    </message>
+    <message>
+        <source>threshold method</source>
+        <translation>Schwellenverfahren</translation>
+    </message>
+    <message>
+        <source>view mode</source>
+        <translation>Ansichtsmodus</translation>
+    </message>
+    <message>
+        <source>view of regions</source>
+        <translation>Ansicht der Regionen</translation>
+    </message>
+    <message>
+        <source>voxel gradient</source>
+        <translation>Voxelgradient</translation>
+    </message>
+    <message>
+        <source>way of leap values</source>
+        <translation>Sprungwertverfahren</translation>
+    </message>
+    <message>
+        <source>window function</source>
+        <translation>Fensterfunktion</translation>
+    </message>
+    <message>
+        <source>The raw description &apos;%1&apos; is wrong: %9; write %2.</source>
+        <translation>Die Rohbeschreibung „%1“ ist falsch: %9; bitte so schreiben: %2.</translation>
+    </message>
+    <message>
+        <source>WxHxD:TYPE[:SX,SY,SZ][:be][:+OFFSET], for example %1</source>
+        <translation>WxHxD:TYPE[:SX,SY,SZ][:be][:+OFFSET], zum Beispiel %1</translation>
+    </message>
+    <message>
+        <source>The preset &quot;%1&quot; cannot be shown: its step must lie between 0.01 and 100.</source>
+        <translation>Die Vorgabe „%1“ kann nicht gezeigt werden: Ihre Schrittweite muss zwischen 0,01 und 100 liegen.</translation>
+    </message>
 </context>
 <context>
     <name>Gestures</name>
@@ -6758,6 +9376,22 @@
     <message>
         <source>No other plan is both faster and more exact</source>
         <translation>Kein anderer Plan ist zugleich schneller und genauer</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>größter Fehler</translation>
+    </message>
+    <message>
+        <source>time a frame</source>
+        <translation>Zeit je Bild</translation>
+    </message>
+    <message>
+        <source>1 grey level</source>
+        <translation>1 Graustufe</translation>
+    </message>
+    <message>
+        <source>the reference itself</source>
+        <translation>die Referenz selbst</translation>
     </message>
 </context>
 <context>

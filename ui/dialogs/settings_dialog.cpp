@@ -9,6 +9,8 @@
 #include <QVBoxLayout>
 
 #include "core/compute/device_list.h"
+#include "ui/core_sentences.h"
+#include "ui/number_text.h"
 #include "ui/preferences.h"
 #include "ui/theme_control.h"
 
@@ -165,7 +167,7 @@ void SettingsDialog::listDevices(bool again) {
         [this](Outcome<std::vector<DeviceInfo>> outcome) {
             measure_->setEnabled(true);
             if (const Error* error = std::get_if<Error>(&outcome))
-                why_->setText(QString::fromStdString(error->what()));
+                why_->setText(core_sentence(error->what()));
             else
                 showDevices(std::get<0>(outcome));
             Q_EMIT measured();
@@ -181,12 +183,13 @@ void SettingsDialog::showDevices(const std::vector<DeviceInfo>& devices) {
         const DeviceInfo& info = devices[std::size_t(row)];
         const QString name = QString::fromStdString(info.name);
         device_->addItem(name, name);
-        const QString time = !info.usable ? tr("cannot be used") : tr("%1 ms").arg(info.rank_ms, 0, 'f', 2);
+        const QString time = !info.usable ? tr("cannot be used") : tr("%1 ms").arg(number_text(info.rank_ms, 'f', 2));
         const QString cells[] = {name,
                                  info.is_gpu   ? tr("graphics card")
                                  : info.is_cpu ? tr("processor")
                                                : tr("other"),
-                                 tr("%1 GiB").arg(double(info.memory_bytes) / double(1 << 30), 0, 'f', 1), time};
+                                 tr("%1 GiB").arg(number_text(double(info.memory_bytes) / double(1 << 30), 'f', 1)),
+                                 time};
         for (int column = 0; column < 4; ++column) {
             auto* cell = new QTableWidgetItem(cells[column]);
             cell->setToolTip(info.usable ? name : QString::fromStdString(info.fault));

@@ -1,11 +1,12 @@
 #include "ui/features/accuracy_feature.h"
 
-#include <QLocale>
 #include <QStringList>
 #include <algorithm>
 #include <utility>
 
 #include "core/accuracy/difference_map.h"
+#include "ui/core_sentences.h"
+#include "ui/number_text.h"
 
 namespace lacuna::ui {
 
@@ -23,7 +24,7 @@ QImage to_image(const DifferenceMap& map) {
 QString plan_words(const ModePlan& plan, const Plan& brute) {
     const std::string differs = difference_in_words(plan, {plan.mode, brute});
     QString words = QString::fromUtf8(name_of(plan.plan.structure).data());
-    if (!differs.empty()) words += QStringLiteral(", ") + QString::fromStdString(differs);
+    if (!differs.empty()) words += QStringLiteral(", ") + with_decimal_marks(QString::fromStdString(differs));
     return words;
 }
 
@@ -198,7 +199,7 @@ void AccuracyFeature::showPicture() {
     const DifferenceMap map = difference_map(*shown.frame, truth->frame(), shown.scene->background);
     badge_->showHeadline(map.full_scale > 0
                              ? tr("Difference ×%1, brightest %2/255; key B: the picture. The picture is")
-                                   .arg(QLocale().toString(255 / map.full_scale, 'f', 0), levels_text(map.full_scale))
+                                   .arg(number_text(255 / map.full_scale, 'f', 0), levels_text(map.full_scale))
                              : tr("No difference in any pixel; key B: the picture. The picture is"));
     view->setImage(to_image(map));
 }
@@ -211,7 +212,7 @@ void AccuracyFeature::showPlan() {
     const FrameFacts& shown = monitor_->shown();
     QString line = tr("%1 · %2 ms a frame")
                        .arg(plan_words(monitor_->plan(), brute_force(*shown.scene, quality.step)))
-                       .arg(QLocale().toString(shown.ms, 'f', shown.ms < 9.95 ? 1 : 0));
+                       .arg(number_text(shown.ms, 'f', shown.ms < 9.95 ? 1 : 0));
     const auto& answer = monitor_->answer();
     if (quality.has_budget() && answer && !answer->meets_budget)
         line += QLatin1Char('\n') + tr("No plan tried fits the budget; this is the fastest.");
@@ -221,7 +222,7 @@ void AccuracyFeature::showPlan() {
             why << tr("… and %1 more").arg(shown.drawn.why.size() - k_reasons);
             break;
         }
-        why << QString::fromStdString(reason);
+        why << core_sentence(reason);
     }
     budget_->showPlan(line, why.join(QLatin1Char('\n')));
 }

@@ -4,6 +4,7 @@
 
 #include "core/io/dicom_anonymise.h"
 #include "core/io/dicom_source.h"
+#include "ui/core_sentences.h"
 #include "ui/file_choice.h"
 
 namespace lacuna::ui {
@@ -78,7 +79,7 @@ void ImportFeature::anonymise(const QString& folder) {
                     if (files.empty() || files.back() != image.file) files.push_back(image.file);
             const AnonymiseReport report = anonymise_dicom(files, target, options, job.part(0.3, 1));
             QString words = tr("%n anonymised images were written.", nullptr, report.images);
-            for (const std::string& note : report.notes()) words += QLatin1Char(' ') + QString::fromStdString(note);
+            for (const std::string& note : report.notes()) words += QLatin1Char(' ') + core_sentence(note);
             return words;
         },
         [this](Outcome<QString> outcome) {

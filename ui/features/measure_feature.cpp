@@ -6,6 +6,7 @@
 
 #include "core/base/atomic_file.h"
 #include "ui/file_choice.h"
+#include "ui/number_text.h"
 #include "ui/tool_bar.h"
 
 namespace lacuna::ui {
@@ -100,7 +101,6 @@ void MeasureFeature::showSettings() {
 }
 
 MeasurePanel::Row MeasureFeature::rowOf(const Measurement& m) const {
-    const auto number = [](double value) { return QString::number(value, 'g', 6); };
     MeasurePanel::Row row;
     row.measurement = m;
     const GridGeometry& geometry = bench_.documents()->document().volume.geometry();
@@ -114,14 +114,14 @@ MeasurePanel::Row MeasureFeature::rowOf(const Measurement& m) const {
         row.size = tool_->words(m).join(QString());
         return row;
     }
-    row.size = tr("%1 mm²").arg(number(area_mm2(m)));
+    row.size = tr("%1 mm²").arg(number_text(area_mm2(m)));
     const RegionStatistics& s = tool_->statistics(m);
     row.pixels = QString::number(s.pixels);
     if (s.pixels == 0) return row;
-    row.mean = number(s.mean);
-    row.spread = number(s.stddev);
-    row.least = number(s.min);
-    row.most = number(s.max);
+    row.mean = number_text(s.mean);
+    row.spread = number_text(s.stddev);
+    row.least = number_text(s.min);
+    row.most = number_text(s.max);
     return row;
 }
 

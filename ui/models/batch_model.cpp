@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/core_sentences.h"
+
 namespace lacuna::ui {
 
 namespace {
@@ -59,7 +61,7 @@ void BatchModel::setRows(const std::vector<BatchRow>& rows) {
             row.state = found.verdict ? PartState::done : PartState::broken;
             row.progress = 1;
             row.verdict = found.verdict;
-            row.reason = QString::fromStdString(found.reason);
+            row.reason = core_sentence(found.reason);
         }
     if (!rows_.empty()) Q_EMIT dataChanged(index(0, 0), index(int(rows_.size()) - 1, k_columns - 1));
 }

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/core_sentences.h"
+#include "ui/number_text.h"
+
 namespace lacuna::ui {
 
 namespace {
@@ -153,7 +156,7 @@ QString DefectModel::text(std::size_t row, int column) const {
     if (column == k_type_column) return defect.type == DefectType::void_ ? tr("void") : tr("inclusion");
     if (row >= judgement_.defects.size()) return {};
     const DefectJudgement& judged = judgement_.defects[row];
-    if (column == k_why_column) return QString::fromStdString(judged.why);
+    if (column == k_why_column) return core_sentence(judged.why);
     return judged.verdict == Verdict::pass   ? tr("pass")
            : judged.verdict == Verdict::fail ? tr("fail")
                                              : tr("cannot tell");
@@ -172,16 +175,16 @@ QVariant DefectModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::ToolTipRole) {
         QStringList lines;
         if (const Measured* interval = column.interval(defect); interval && std::isfinite(interval->value))
-            lines << tr("%1 to %2").arg(interval->lo, 0, 'g', 4).arg(interval->hi, 0, 'g', 4);
+            lines << tr("%1 to %2").arg(number_text(interval->lo, 'g', 4), number_text(interval->hi, 'g', 4));
         if (words) lines << text(row, index.column());
-        for (const std::string& flag : defect.flags) lines << QString::fromStdString(flag);
+        for (const std::string& flag : defect.flags) lines << core_sentence(flag);
         return lines.join(QLatin1Char('\n'));
     }
     if (role != Qt::DisplayRole) return {};
     if (words) return text(row, index.column());
     const double value = column.value(defect);
     if (std::isnan(value)) return tr("not measurable");
-    return column.digits == 0 ? QString::number(qlonglong(value)) : QString::number(value, 'g', column.digits);
+    return column.digits == 0 ? QString::number(qlonglong(value)) : number_text(value, 'g', column.digits);
 }
 
 QVariant DefectModel::headerData(int section, Qt::Orientation orientation, int role) const {
@@ -192,13 +195,13 @@ QVariant DefectModel::headerData(int section, Qt::Orientation orientation, int r
 }
 
 void DefectFilter::setText(const QString& text) {
-    static const QRegularExpression comparison(QStringLiteral("^\\s*([a-z]+)\\s*(<=|>=|<|>)\\s*([-+.eE0-9]+)\\s*$"));
+    static const QRegularExpression comparison(QStringLiteral("^\\s*([a-z]+)\\s*(<=|>=|<|>)\\s*([-+.,eE0-9]+)\\s*$"));
     words_ = text.trimmed();
     column_ = -1;
     const QRegularExpressionMatch match = comparison.match(text);
-    bool number = false;
-    limit_ = match.captured(3).toDouble(&number);
-    for (std::size_t i = 0; number && i < k_columns.size(); ++i)
+    const std::optional<double> limit = typed_number(match.captured(3));
+    limit_ = limit.value_or(0);
+    for (std::size_t i = 0; limit && i < k_columns.size(); ++i)
         if (match.captured(1) == QLatin1String(k_columns[i].word)) column_ = int(i);
     side_ = match.captured(2);
     invalidateFilter();

@@ -2,6 +2,9 @@
 
 #include <array>
 
+#include "ui/core_sentences.h"
+#include "ui/number_text.h"
+
 namespace lacuna::ui {
 
 namespace {
@@ -90,13 +93,13 @@ QVariant RegionModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::TextAlignmentRole) return int(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole && !row.flags.empty()) {
         QStringList flags;
-        for (const std::string& flag : row.flags) flags << QString::fromStdString(flag);
+        for (const std::string& flag : row.flags) flags << core_sentence(flag);
         return flags.join(QLatin1Char('\n'));
     }
     if (role != Qt::DisplayRole) return {};
     if (index.column() + 1 == int(k_columns.size())) return row.touches_border ? tr("yes") : tr("no");
     const double value = column.value(row);
-    return column.digits == 0 ? QString::number(qlonglong(value)) : QString::number(value, 'g', column.digits);
+    return column.digits == 0 ? QString::number(qlonglong(value)) : number_text(value, 'g', column.digits);
 }
 
 QVariant RegionModel::headerData(int section, Qt::Orientation orientation, int role) const {

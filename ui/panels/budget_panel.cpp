@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QSignalBlocker>
 
+#include "ui/number_text.h"
 #include "ui/theme.h"
 
 namespace lacuna::ui {
@@ -93,11 +94,12 @@ void BudgetPanel::setSettings(const ViewSettings& settings) {
     const int stop = stop_of(settings.quality);
     if (stop >= 0) slider_->setValue(stop);
     const bool chosen = !settings.quality.plan.empty();
-    stop_->setText(chosen                          ? tr("A plan chosen by hand")
-                   : !budget                       ? tr("No budget: the usual plan")
-                   : stop >= 0                     ? stops()[std::size_t(stop)].name
-                   : settings.quality.error_budget ? tr("At most %1/255 off").arg(*settings.quality.error_budget)
-                                                   : tr("A frame in %1 ms").arg(*settings.quality.time_budget_ms));
+    stop_->setText(chosen      ? tr("A plan chosen by hand")
+                   : !budget   ? tr("No budget: the usual plan")
+                   : stop >= 0 ? stops()[std::size_t(stop)].name
+                   : settings.quality.error_budget
+                       ? tr("At most %1/255 off").arg(number_text(*settings.quality.error_budget))
+                       : tr("A frame in %1 ms").arg(number_text(*settings.quality.time_budget_ms)));
     setEnabled(settings.mode != ViewMode::shear_warp);
 }
 

@@ -4,12 +4,13 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
+#include "ui/number_text.h"
 #include "ui/widgets/value_slider.h"
 
 namespace lacuna::ui {
 
 OptionalValue::OptionalValue(const QString& label, const QString& accessible_name, QWidget* parent)
-    : QWidget(parent), box_(new QCheckBox(label, this)), spin_(new QDoubleSpinBox(this)) {
+    : QWidget(parent), box_(new QCheckBox(label, this)), spin_(new NumberBox(this)) {
     box_->setAccessibleName(accessible_name);
     spin_->setAccessibleName(tr("%1, value").arg(accessible_name));
     spin_->setEnabled(false);

@@ -4,12 +4,12 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QInputDialog>
-#include <QLocale>
 #include <QScrollArea>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/core_sentences.h"
+#include "ui/number_text.h"
 #include "ui/tab_chain.h"
 #include "ui/widgets/table_header.h"
 
@@ -225,8 +225,8 @@ void InspectionPanel::showVerdict() {
     QStringList lines{tr("%n defect(s)", nullptr, int(analysis_->defects.size()))};
     if (std::isfinite(porosity.value))
         lines << tr("Porosity %1 % (%2 to %3)")
-                     .arg(QLocale().toString(porosity.value, 'g', 3), QLocale().toString(porosity.lo, 'g', 3),
-                          QLocale().toString(porosity.hi, 'g', 3));
+                     .arg(number_text(porosity.value, 'g', 3), number_text(porosity.lo, 'g', 3),
+                          number_text(porosity.hi, 'g', 3));
     if (!by_hand_.empty()) lines << tr("%n decided by hand", nullptr, int(by_hand_.size()));
     for (const std::string& warning : analysis_->part.warnings) lines << core_sentence(warning);
     facts_->setText(lines.join(QLatin1Char('\n')));

@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "ui/core_sentences.h"
 #include "ui/preset_thumbnails.h"
 #include "ui/theme.h"
 
@@ -107,8 +108,7 @@ void PresetGallery::setEntries(const std::vector<PresetEntry>& entries) {
         list_->clear();
         for (const PresetEntry& entry : entries_) {
             auto* item = new QListWidgetItem(icon_of({}, !entry.fault.empty()), QString::fromStdString(entry.name));
-            item->setToolTip(entry.fault.empty() ? QString::fromStdString(entry.name)
-                                                 : QString::fromStdString(entry.fault));
+            item->setToolTip(entry.fault.empty() ? QString::fromStdString(entry.name) : core_sentence(entry.fault));
             list_->addItem(item);
             if (keyOf(entry) == before) list_->setCurrentItem(item);
         }

@@ -2,10 +2,10 @@
 
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "ui/number_text.h"
 #include "ui/tab_chain.h"
 #include "ui/widgets/transfer_plot.h"
 #include "ui/widgets/value_slider.h"
@@ -31,8 +31,8 @@ RangeRow::RangeRow(int number, ValueRange limits, const QString& unit, QWidget* 
       color_(new QToolButton(this)),
       up_(new QToolButton(this)),
       slider_(new RangeSlider(this)),
-      lo_(new QDoubleSpinBox(this)),
-      hi_(new QDoubleSpinBox(this)),
+      lo_(new NumberBox(this)),
+      hi_(new NumberBox(this)),
       colors_(new QComboBox(this)),
       remove_(new QPushButton(tr("Remove"), this)),
       count_(new QLabel(this)) {
@@ -154,16 +154,13 @@ void RangeRow::setSetting(const RangeSetting& setting) {
 
 void RangeRow::setCount(const std::optional<RangeCount>& count) {
     if (!count) return count_->setText(QStringLiteral("…"));
-    const QLocale locale;
     const int decimals = count->volume_mm3 >= 1000 ? 0 : count->volume_mm3 >= 1 ? 2 : 5;
-    QString text =
-        tr("%1 voxels · %2 mm³ · %3 %")
-            .arg(locale.toString(qulonglong(count->voxels)), locale.toString(count->volume_mm3, 'f', decimals),
-                 locale.toString(100 * count->share, 'f', 2));
-    if (count->voxels > 0) text += tr(" · mean %1").arg(locale.toString(count->mean, 'g', 5));
+    QString text = tr("%1 voxels · %2 mm³ · %3 %")
+                       .arg(count_text(count->voxels), number_text(count->volume_mm3, 'f', decimals),
+                            number_text(100 * count->share, 'f', 2));
+    if (count->voxels > 0) text += tr(" · mean %1").arg(number_text(count->mean, 'g', 5));
     if (count->own < count->voxels)
-        text += tr("\n%1 of them are in a range above, which draws them")
-                    .arg(locale.toString(qulonglong(count->voxels - count->own)));
+        text += tr("\n%1 of them are in a range above, which draws them").arg(count_text(count->voxels - count->own));
     count_->setText(text);
 }
 

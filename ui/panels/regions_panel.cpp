@@ -5,6 +5,8 @@
 #include <QHeaderView>
 #include <algorithm>
 
+#include "ui/core_sentences.h"
+#include "ui/number_text.h"
 #include "ui/tab_chain.h"
 #include "ui/widgets/table_header.h"
 #include "ui/widgets/value_slider.h"
@@ -21,9 +23,9 @@ RegionsPanel::RegionsPanel(QWidget* parent)
       sorted_(new QSortFilterProxyModel(this)),
       method_(new QComboBox(this)),
       connectivity_(new QComboBox(this)),
-      lo_(new QDoubleSpinBox(this)),
-      hi_(new QDoubleSpinBox(this)),
-      width_(new QDoubleSpinBox(this)),
+      lo_(new NumberBox(this)),
+      hi_(new NumberBox(this)),
+      width_(new NumberBox(this)),
       min_voxels_(new QSpinBox(this)),
       take_(new QPushButton(tr("Current range"), this)),
       compute_(new QPushButton(tr("Compute regions"), this)),
@@ -182,7 +184,9 @@ void RegionsPanel::setTable(std::shared_ptr<const RegionTable> table) {
     note_->setText(!table                    ? QString()
                    : table->rows.size() == 1 ? tr("1 region")
                                              : tr("%1 regions").arg(table->rows.size()));
-    note_->setToolTip(table ? QString::fromStdString(table->surface_method + "; " + table->adjacency) : QString());
+    note_->setToolTip(table ? core_sentence(table->surface_method) + QStringLiteral("; ") +
+                                  core_sentence(table->adjacency)
+                            : QString());
     view_->clearSelection();
     model_->setTable(std::move(table));
     export_->setEnabled(some);

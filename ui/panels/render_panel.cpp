@@ -4,6 +4,7 @@
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 
+#include "ui/core_sentences.h"
 #include "ui/language.h"
 
 namespace lacuna::ui {
@@ -163,9 +164,9 @@ void RenderPanel::setScene(const Scene& scene) {
     structure_->setItemText(0, tr("Automatic (%1)").arg(word(name_of(own.structure))));
     for (int i = 1; i < structure_->count(); ++i) {
         const auto structure = Structure(structure_->itemData(i).toInt());
-        const QString refusal = QString::fromStdString(structure_refusal(structure, scene));
+        const QString refusal = core_sentence(structure_refusal(structure, scene));
         own.structure = structure;
-        const QString words = refusal.isEmpty() ? QString::fromStdString(gain_note(own, scene)) : refusal;
+        const QString words = refusal.isEmpty() ? core_sentence(gain_note(own, scene)) : refusal;
         items->item(i)->setEnabled(refusal.isEmpty());
         structure_->setItemData(i, words, Qt::ToolTipRole);
     }

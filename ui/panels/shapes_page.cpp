@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "ui/number_text.h"
 #include "ui/widgets/transfer_plot.h"
 
 namespace lacuna::ui {
@@ -20,8 +21,8 @@ ShapesPage::ShapesPage(QWidget* parent)
       use_(new QCheckBox(tr("Draw by &shapes of value and gradient"), this)),
       plot_(new ShapePlot(this)),
       kind_(new QComboBox(this)),
-      opacity_(new QDoubleSpinBox(this)),
-      softness_(new QDoubleSpinBox(this)),
+      opacity_(new NumberBox(this)),
+      softness_(new NumberBox(this)),
       color_(new QPushButton(tr("Colour…"), this)),
       add_(new QPushButton(tr("Add"), this)),
       remove_(new QPushButton(tr("Remove"), this)) {

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/number_text.h"
+
 namespace lacuna::ui {
 
 namespace {
@@ -169,7 +171,9 @@ void SlicesPanel::fillPresets(const Document& document) {
                 {tr("Full range"), all.width() > 0 ? all : ValueRange{all.lo - 0.5, all.lo + 0.5}, {}}};
     if (unit_ == "HU")
         for (const WindowPreset& preset : hounsfield_windows())
-            windows_.push_back({tr("%1 (L %2, W %3)").arg(window_title(preset)).arg(preset.center).arg(preset.width),
+            windows_.push_back({tr("%1 (L %2, W %3)")
+                                    .arg(window_title(preset))
+                                    .arg(number_text(preset.center), number_text(preset.width)),
                                 ValueRange{preset.center - 0.5 * preset.width, preset.center + 0.5 * preset.width},
                                 {}});
     for (std::size_t i = 0; i < document.voi_tables.size(); ++i) {

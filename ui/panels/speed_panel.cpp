@@ -9,6 +9,8 @@
 #include <map>
 
 #include "core/accuracy/sweep_report.h"
+#include "ui/core_sentences.h"
+#include "ui/number_text.h"
 #include "ui/widgets/error_badge.h"
 
 namespace lacuna::ui {
@@ -21,7 +23,7 @@ constexpr int k_point_role = Qt::UserRole;
 QString words_of(const ModePlan& plan, const ModePlan& brute) {
     const std::string differs = difference_in_words(plan, brute);
     QString words = QString::fromUtf8(name_of(plan.plan.structure).data());
-    if (!differs.empty()) words += QStringLiteral(", ") + QString::fromStdString(differs);
+    if (!differs.empty()) words += QStringLiteral(", ") + with_decimal_marks(QString::fromStdString(differs));
     return words;
 }
 
@@ -47,7 +49,21 @@ QIcon marker_icon(Structure structure, const QPalette& palette, double ratio) {
     return QIcon(QPixmap::fromImage(shape));
 }
 
-QString number(double value) { return QLocale().toString(value, 'f', value < 9.95 ? 1 : 0); }
+/// The chart's words and numbers as the window writes them; the core's are English.
+void speak(Chart& chart) {
+    const char mark = QLocale().decimalPoint() == QLatin1String(",") ? ',' : '.';
+    for (Axis* axis : {&chart.x, &chart.y}) axis->decimal_mark = mark;
+    chart.x.title = SpeedPanel::tr("largest error").toStdString();
+    chart.y.title = SpeedPanel::tr("time a frame").toStdString();
+    for (Mark& line : chart.marks)
+        line.label =
+            (line.at == 1 ? SpeedPanel::tr("1 grey level") : SpeedPanel::tr("the reference itself")).toStdString();
+    for (Series& series : chart.series)
+        for (DataPoint& point : series.points)
+            point.label = with_decimal_marks(QString::fromStdString(point.label)).toStdString();
+}
+
+QString number(double value) { return number_text(value, 'f', value < 9.95 ? 1 : 0); }
 
 }  // namespace
 
@@ -126,6 +142,7 @@ void SpeedPanel::showPoints(const LiveSweep& sweep, const ModePlan& current) {
     chart.title.clear();
     chart.subtitle.clear();
     chart.legend = Legend::none;  // the list shows each plan's marker
+    speak(chart);
     shown_.assign(chart.series.size(), {});
     for (std::size_t s = 0; s < chart.series.size(); ++s)
         for (const DataPoint& at : chart.series[s].points)
@@ -187,7 +204,7 @@ void SpeedPanel::fillTable(const LiveSweep& sweep, const ModePlan& current) {
                                  measured ? levels_text(point.error.max) : QString(),
                                  measured ? number(point.build_ms) : QString(),
                                  measured ? number(double(point.bytes) / 1048576.0) : QString()};
-        const QString tip = !measured        ? QString::fromStdString(point.refused)
+        const QString tip = !measured        ? core_sentence(point.refused)
                             : point.on_front ? tr("No other plan is both faster and more exact")
                                              : QString();
         for (int c = 0; c < k_columns; ++c) {

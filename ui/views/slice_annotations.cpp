@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/number_text.h"
 #include "ui/theme.h"
 
 namespace lacuna::ui {
@@ -97,11 +98,10 @@ ScaleLength scale_length(double most_mm) {
     double mm = power;
     for (const double factor : {2.0, 5.0})
         if (factor * power <= most_mm * (1 + 1e-9)) mm = factor * power;
-    const auto number = [](double value) { return QString::number(value, 'g', 6); };
-    if (mm >= 1000) return {mm, Words::tr("%1 m").arg(number(mm / 1000))};
-    if (mm >= 10) return {mm, Words::tr("%1 cm").arg(number(mm / 10))};
-    if (mm >= 0.1 * (1 - 1e-9)) return {mm, Words::tr("%1 mm").arg(number(mm))};
-    return {mm, Words::tr("%1 µm").arg(number(mm * 1000))};
+    if (mm >= 1000) return {mm, Words::tr("%1 m").arg(number_text(mm / 1000))};
+    if (mm >= 10) return {mm, Words::tr("%1 cm").arg(number_text(mm / 10))};
+    if (mm >= 0.1 * (1 - 1e-9)) return {mm, Words::tr("%1 mm").arg(number_text(mm))};
+    return {mm, Words::tr("%1 µm").arg(number_text(mm * 1000))};
 }
 
 QString position_text(const glm::dvec3& mm, const glm::dvec3& direction) {
@@ -110,7 +110,7 @@ QString position_text(const glm::dvec3& mm, const glm::dvec3& direction) {
     for (int a = 1; a < 3; ++a)
         if (std::abs(direction[a]) > std::abs(direction[axis])) axis = a;
     const double along = glm::dot(mm, direction) * (direction[axis] < 0 ? -1 : 1);
-    return Words::tr("%1 %2 mm").arg(QLatin1Char(k_letters[axis][along < 0])).arg(std::abs(along), 0, 'f', 2);
+    return Words::tr("%1 %2 mm").arg(QLatin1Char(k_letters[axis][along < 0])).arg(number_text(std::abs(along), 'f', 2));
 }
 
 void draw_words(QPainter& painter, const QRectF& where, int flags, const QString& words, const QColor& ink) {

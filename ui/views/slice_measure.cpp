@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/number_text.h"
 #include "ui/views/slice_view.h"
 
 namespace lacuna::ui {
@@ -132,13 +133,13 @@ const RegionStatistics& SliceMeasure::statistics(const Measurement& m) const {
 }
 
 QStringList SliceMeasure::words(const Measurement& m) const {
-    const auto number = [](double value) { return QString::number(value, 'g', 5); };
+    const auto number = [](double value) { return number_text(value, 'g', 5); };
     if (int(m.points_mm.size()) < point_count(m.kind)) return {};  // being drawn
     switch (m.kind) {
         case MeasurementKind::distance:
-            return {tr("%1 mm").arg(length_mm(m), 0, 'f', length_mm(m) < 1 ? 4 : 2)};
+            return {tr("%1 mm").arg(number_text(length_mm(m), 'f', length_mm(m) < 1 ? 4 : 2))};
         case MeasurementKind::angle:
-            return {tr("%1°").arg(angle_deg(m), 0, 'f', 1)};
+            return {tr("%1°").arg(number_text(angle_deg(m), 'f', 1))};
         case MeasurementKind::rectangle:
         case MeasurementKind::ellipse:
             break;

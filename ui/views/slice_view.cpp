@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/session/document.h"
+#include "ui/number_text.h"
 #include "ui/theme.h"
 
 namespace lacuna::ui {
@@ -188,12 +189,13 @@ void SliceView::paintNotes(QPainter& painter) const {
         notes.position << (slab.mode == SlabMode::mip     ? tr("MIP of %1 mm")
                            : slab.mode == SlabMode::minip ? tr("MinIP of %1 mm")
                                                           : tr("Mean of %1 mm"))
-                              .arg(slab.thickness_mm, 0, 'g', 4);
+                              .arg(number_text(slab.thickness_mm, 'g', 4));
     notes.position << position_text(pose_.frame.to_mm({0, 0}), pose_.frame.normal());
     if (!pose_.oblique) notes.position << tr("%1 / %2").arg(index() + 1).arg(volume_.geometry().size[pose_.plane.w]);
-    notes.grey << tr("Zoom %1 %").arg(100 * zoom_, 0, 'f', 0);
+    notes.grey << tr("Zoom %1 %").arg(number_text(100 * zoom_, 'f', 0));
     if (settings_.function == VoiFunction::sigmoid) notes.grey << tr("sigmoid");
-    notes.grey << tr("L %1  W %2").arg(0.5 * (window_.lo + window_.hi), 0, 'g', 5).arg(window_.width(), 0, 'g', 5);
+    notes.grey << tr("L %1  W %2")
+                      .arg(number_text(0.5 * (window_.lo + window_.hi), 'g', 5), number_text(window_.width(), 'g', 5));
     paint_notes(painter, rect(), pose_, notes, pixelsPerMm());
 }
 

@@ -2,11 +2,11 @@
 
 #include <QAccessible>
 #include <QEvent>
-#include <QLocale>
 #include <QPainter>
 #include <QStringList>
 #include <cmath>
 
+#include "ui/number_text.h"
 #include "ui/theme.h"
 
 namespace lacuna::ui {
@@ -51,8 +51,8 @@ QString loss_text(Loss loss) {
 QString levels_text(double levels) {
     if (!std::isfinite(levels)) return ErrorBadge::tr("not a number");
     if (levels == 0) return QStringLiteral("0");
-    if (levels < 0.005) return QStringLiteral("<\u2009%1").arg(QLocale().toString(0.01, 'f', 2));
-    return QLocale().toString(levels, 'f', levels < 0.995 ? 2 : levels < 9.95 ? 1 : 0);
+    if (levels < 0.005) return QStringLiteral("<\u2009%1").arg(number_text(0.01, 'f', 2));
+    return number_text(levels, 'f', levels < 0.995 ? 2 : levels < 9.95 ? 1 : 0);
 }
 
 QString losses_text(const std::vector<Loss>& losses) {

@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "ui/number_text.h"
 #include "ui/widgets/value_slider.h"
 
 namespace lacuna::ui {
@@ -14,8 +15,8 @@ namespace lacuna::ui {
 PointFields::PointFields(TransferPlot* plot, bool colors, QWidget* parent)
     : QWidget(parent),
       plot_(plot),
-      value_(new QDoubleSpinBox(this)),
-      opacity_(new QDoubleSpinBox(this)),
+      value_(new NumberBox(this)),
+      opacity_(new NumberBox(this)),
       color_(new QPushButton(tr("Colour…"), this)),
       add_(new QPushButton(tr("Add"), this)),
       remove_(new QPushButton(tr("Remove"), this)) {

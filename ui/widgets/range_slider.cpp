@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/number_text.h"
 #include "ui/theme.h"
 
 namespace lacuna::ui {
@@ -40,8 +41,8 @@ void RangeSlider::setColor(const QColor& color) {
 
 void RangeSlider::describe() {
     setAccessibleDescription(tr("From %1 to %2; arrow keys move the %3 end")
-                                 .arg(range_.lo)
-                                 .arg(range_.hi)
+                                 .arg(number_text(range_.lo))
+                                 .arg(number_text(range_.hi))
                                  .arg(active_ == k_high ? tr("upper") : tr("lower")));
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/number_text.h"
 #include "ui/theme.h"
 #include "ui/widgets/transfer_plot.h"
 
@@ -231,9 +232,9 @@ void ShapePlot::paintAxes(QPainter& painter) const {
     painter.setFont(small);
     painter.setPen(theme::colors().dim);
     const QRectF foot(plotRect().left(), plotRect().bottom() + 4, plotRect().width(), k_foot - 6);
-    painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, QString::number(values_.lo, 'g', 5));
-    painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, QString::number(values_.hi, 'g', 5));
-    painter.drawText(foot, Qt::AlignCenter, tr("value →  ↑ gradient to %1 per mm").arg(steepest_, 0, 'g', 4));
+    painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, number_text(values_.lo, 'g', 5));
+    painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, number_text(values_.hi, 'g', 5));
+    painter.drawText(foot, Qt::AlignCenter, tr("value →  ↑ gradient to %1 per mm").arg(number_text(steepest_, 'g', 4)));
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(hasFocus() ? theme::colors().accent : theme::colors().border, 1));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/classify/histogram_landmarks.h"
+#include "ui/number_text.h"
 #include "ui/theme.h"
 #include "ui/widgets/histogram_shape.h"
 
@@ -245,14 +246,15 @@ void TransferPlot::paintFoot(QPainter& painter) const {
     painter.setFont(small);
     painter.setPen(theme::colors().dim);
     const QRectF foot(plotRect().left(), plotRect().bottom() + 9, plotRect().width(), k_foot - 9);
-    painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, QString::number(shown_.lo, 'g', 5));
-    painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, QString::number(shown_.hi, 'g', 5));
+    painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, number_text(shown_.lo, 'g', 5));
+    painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, number_text(shown_.hi, 'g', 5));
     painter.setPen(theme::colors().text);
     if (selection_.size() > 1) {
         painter.drawText(foot, Qt::AlignCenter, tr("%n points selected", nullptr, int(selection_.size())));
     } else if (selected_ >= 0 && selected_ < int(function_.points.size())) {
         const TransferPoint& p = function_.points[std::size_t(selected_)];
-        painter.drawText(foot, Qt::AlignCenter, tr("%1 → %2").arg(p.value, 0, 'g', 5).arg(p.opacity, 0, 'f', 3));
+        painter.drawText(foot, Qt::AlignCenter,
+                         tr("%1 → %2").arg(number_text(p.value, 'g', 5), number_text(p.opacity, 'f', 3)));
     }
 }
 

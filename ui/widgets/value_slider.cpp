@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/number_text.h"
+
 namespace lacuna::ui {
 
 ValueSteps ValueSteps::of(ValueRange limits) {
@@ -17,7 +19,7 @@ ValueSteps ValueSteps::of(ValueRange limits) {
 }
 
 ValueSlider::ValueSlider(const QString& accessible_name, QWidget* parent)
-    : QWidget(parent), slider_(new QSlider(Qt::Horizontal, this)), spin_(new QDoubleSpinBox(this)) {
+    : QWidget(parent), slider_(new QSlider(Qt::Horizontal, this)), spin_(new NumberBox(this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(slider_, 1);
