@@ -105,7 +105,7 @@ std::string read_file(const fs::path& file, std::uintmax_t limit) {
     std::ifstream in(file, std::ios::binary);
     std::string bytes(std::size_t(size), '\0');
     if (!in.read(bytes.data(), std::streamsize(size)) && size > 0)
-        throw Error(Errc::io, "Cannot read " + file.string() + ".");
+        throw Error(Errc::io, "Cannot read " + file.string() + ": it is cut short; copy or export the file again.");
     return bytes;
 }
 

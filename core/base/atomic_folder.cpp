@@ -82,9 +82,10 @@ void AtomicFolder::check(const fs::path& wanted, const std::string& mark) {
     if (!fs::is_directory(target, ec))
         throw Error(Errc::io, "Cannot write " + target.string() + ": it is no folder; name another one.");
     if (fs::is_empty(target, ec) || (!mark.empty() && fs::exists(target / mark, ec))) return;
-    const std::string fault =
-        mark.empty() ? ": the folder is not empty" : ": the folder is not empty and holds no " + mark;
-    throw Error(Errc::io, "Cannot write " + target.string() + fault + "; name a new one, so that nothing is mixed.");
+    throw Error(Errc::io,
+                "Cannot write " + target.string() +
+                    (mark.empty() ? ": the folder is not empty" : ": the folder is not empty and holds no " + mark) +
+                    "; name a new one, so that nothing is mixed.");
 }
 
 void AtomicFolder::commit() {
