@@ -53,7 +53,8 @@ inline constexpr const char* k_picture_sentences[] = {
     QT_TRANSLATE_NOOP("CoreSentence", "The LMIP threshold must be a finite number."),
     QT_TRANSLATE_NOOP("CoreSentence", "The grey window's lower end must be below its upper end."),
     QT_TRANSLATE_NOOP("CoreSentence", "The zoom must be a positive number."),
-    QT_TRANSLATE_NOOP("CoreSentence", "The field of view must lie between 0 and 180 degrees."),
+    QT_TRANSLATE_NOOP("CoreSentence",
+                      "The field of view must lie from 0.01 to below 180 degrees; parallel rays need none."),
     QT_TRANSLATE_NOOP("CoreSentence", "The image size must be 1 to 16384 pixels on each side."),
     QT_TRANSLATE_NOOP("CoreSentence",
                       "There is no region %1; the volume has regions 1 to %2 (lacuna regions lists them)."),
@@ -121,8 +122,10 @@ inline constexpr const char* k_picture_sentences[] = {
     QT_TRANSLATE_NOOP("CoreSentence", "The brick edge must lie between 8 and 1024 voxels; 0: no bricks."),
     QT_TRANSLATE_NOOP("CoreSentence", "Shear-warp does not work on bricks; use mode iso."),
     QT_TRANSLATE_NOOP("CoreSentence",
-                      "Regions and leaping kernels need the whole volume at hand, not bricks of it; leave one out, or "
-                      "raise the memory limit."),
+                      "Regions, leaping kernels and leap above homogeneity 0 need the whole volume at hand, not bricks "
+                      "of it; leave one out, or raise the memory limit."),
+    QT_TRANSLATE_NOOP("CoreSentence",
+                      "The homogeneity of pc, acd and eacd is a difference of opacities: it must lie within 0 to 1."),
     QT_TRANSLATE_NOOP("CoreSentence",
                       "Regions are shown, hidden and coloured sample by sample, which cubic refinement, "
                       "pre-integration and the adaptive sampler do not do; leave one of them out."),
@@ -133,8 +136,11 @@ inline constexpr const char* k_picture_sentences[] = {
     QT_TRANSLATE_NOOP("CoreSentence", "The structure '%1' knows no transfer functions of regions; none and leap do."),
     QT_TRANSLATE_NOOP("CoreSentence", "The structure '%1' does not serve ray casting."),
     QT_TRANSLATE_NOOP("CoreSentence",
+                      "Regions are those of the whole volume, and this one has too many voxels to be drawn whole: take "
+                      "another structure, or leap with homogeneity 0, and show all regions."),
+    QT_TRANSLATE_NOOP("CoreSentence",
                       "Regions are those of the whole volume, and this one does not fit whole: raise --memory-limit, "
-                      "or take another structure than leap and show all regions."),
+                      "or take another structure, or leap with homogeneity 0, and show all regions."),
     QT_TRANSLATE_NOOP("CoreSentence",
                       "Drawing this volume brick by brick takes at least %1 and the limit is %2; raise --memory-limit "
                       "or make a smaller picture."),
@@ -151,6 +157,9 @@ inline constexpr const char* k_picture_sentences[] = {
 inline constexpr const char* k_reason_sentences[] = {
     QT_TRANSLATE_NOOP("CoreSentence", "Bricks of %1 voxels, streamed from disk: the volume's %2 do not go into %3."),
     QT_TRANSLATE_NOOP("CoreSentence", "Bricks of %1 voxels: the device takes at most %2 at once, the volume has %3."),
+    QT_TRANSLATE_NOOP(
+        "CoreSentence",
+        "Bricks of %1 voxels: the volume has more than %2 of them, which is the most that are drawn in one piece."),
     QT_TRANSLATE_NOOP("CoreSentence", "Bricks of %1 voxels: the volume's %2 exceed what the device may hold."),
     QT_TRANSLATE_NOOP("CoreSentence", "Rays run to their end: nothing is hidden."),
     QT_TRANSLATE_NOOP("CoreSentence", "Rays end at opacity %1: what is left is below %2 of 255 grey levels."),

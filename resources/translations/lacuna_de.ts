@@ -1870,10 +1870,6 @@
         <translation>Der Zoom muss eine positive Zahl sein.</translation>
     </message>
     <message>
-        <source>The field of view must lie between 0 and 180 degrees.</source>
-        <translation>Das Sichtfeld muss zwischen 0 und 180 Grad liegen.</translation>
-    </message>
-    <message>
         <source>The image size must be 1 to 16384 pixels on each side.</source>
         <translation>Das Bild muss 1 bis 16384 Bildpunkte je Seite haben.</translation>
     </message>
@@ -2046,10 +2042,6 @@
         <translation>Shear-Warp arbeitet nicht auf Blöcken; bitte den Modus iso nehmen.</translation>
     </message>
     <message>
-        <source>Regions and leaping kernels need the whole volume at hand, not bricks of it; leave one out, or raise the memory limit.</source>
-        <translation>Regionen und Sprungkernel brauchen das ganze Volumen, nicht Blöcke davon; bitte eines weglassen oder die Speichergrenze heraufsetzen.</translation>
-    </message>
-    <message>
         <source>Regions are shown, hidden and coloured sample by sample, which cubic refinement, pre-integration and the adaptive sampler do not do; leave one of them out.</source>
         <translation>Regionen werden Abtastpunkt für Abtastpunkt gezeigt, ausgeblendet und gefärbt, was kubische Verfeinerung, Vorintegration und der adaptive Abtaster nicht tun; bitte eines davon weglassen.</translation>
     </message>
@@ -2076,10 +2068,6 @@
     <message>
         <source>The structure &apos;%1&apos; does not serve ray casting.</source>
         <translation>Die Struktur „%1“ dient dem Strahlenwerfen nicht.</translation>
-    </message>
-    <message>
-        <source>Regions are those of the whole volume, and this one does not fit whole: raise --memory-limit, or take another structure than leap and show all regions.</source>
-        <translation>Regionen gelten für das ganze Volumen, und dieses passt nicht ganz hinein: bitte die Speichergrenze heraufsetzen oder eine andere Struktur als leap nehmen und alle Regionen zeigen.</translation>
     </message>
     <message>
         <source>Drawing this volume brick by brick takes at least %1 and the limit is %2; raise --memory-limit or make a smaller picture.</source>
@@ -3224,6 +3212,30 @@
     <message>
         <source>The preset &quot;%1&quot; cannot be shown: its step must lie between 0.01 and 100.</source>
         <translation>Die Vorgabe „%1“ kann nicht gezeigt werden: Ihre Schrittweite muss zwischen 0,01 und 100 liegen.</translation>
+    </message>
+    <message>
+        <source>The field of view must lie from 0.01 to below 180 degrees; parallel rays need none.</source>
+        <translation>Das Sichtfeld muss von 0,01 bis unter 180 Grad reichen; parallele Strahlen brauchen keines.</translation>
+    </message>
+    <message>
+        <source>Regions, leaping kernels and leap above homogeneity 0 need the whole volume at hand, not bricks of it; leave one out, or raise the memory limit.</source>
+        <translation>Regionen, Sprungkernel und leap mit Homogenität über 0 brauchen das ganze Volumen, nicht Blöcke davon; bitte eines weglassen oder die Speichergrenze heraufsetzen.</translation>
+    </message>
+    <message>
+        <source>The homogeneity of pc, acd and eacd is a difference of opacities: it must lie within 0 to 1.</source>
+        <translation>Die Homogenität von pc, acd und eacd ist ein Unterschied von Deckkräften: Sie muss in 0 bis 1 liegen.</translation>
+    </message>
+    <message>
+        <source>Regions are those of the whole volume, and this one has too many voxels to be drawn whole: take another structure, or leap with homogeneity 0, and show all regions.</source>
+        <translation>Regionen gelten für das ganze Volumen, und dieses hat zu viele Voxel, um ganz gezeichnet zu werden: bitte eine andere Struktur nehmen oder leap mit Homogenität 0, und alle Regionen zeigen.</translation>
+    </message>
+    <message>
+        <source>Regions are those of the whole volume, and this one does not fit whole: raise --memory-limit, or take another structure, or leap with homogeneity 0, and show all regions.</source>
+        <translation>Regionen gelten für das ganze Volumen, und dieses passt nicht ganz hinein: bitte die Speichergrenze heraufsetzen, eine andere Struktur nehmen oder leap mit Homogenität 0, und alle Regionen zeigen.</translation>
+    </message>
+    <message>
+        <source>Bricks of %1 voxels: the volume has more than %2 of them, which is the most that are drawn in one piece.</source>
+        <translation>Blöcke von %1 Voxeln: Das Volumen hat mehr als %2 davon, das Meiste, was in einem Stück gezeichnet wird.</translation>
     </message>
 </context>
 <context>
