@@ -26,6 +26,8 @@ constexpr NameTable<Rule, k_rules.size()> k_rule_names{{
     {Rule::min_surface_distance_mm, "min_surface_distance_mm"},
 }};
 
+constexpr double k_most_counted = 9007199254740992;  // 2^53: a double holds every whole number up to here
+
 /// Reads one criteria file; knows where it is, for messages.
 class Reader {
 public:
@@ -184,6 +186,7 @@ private:
             if (!(limit >= 0)) refuse(at(where, key), "is negative; a limit is 0 or more");
             if (rule == Rule::porosity_percent && limit > 100) refuse(at(where, key), "is above 100 percent");
             if (rule == Rule::count && limit != std::floor(limit)) refuse(at(where, key), "must be a whole number");
+            if (rule == Rule::count && limit > k_most_counted) refuse(at(where, key), "is more than can be counted");
             limits[rule] = limit;
         }
         return limits;

@@ -28,6 +28,8 @@ struct Storage {
     double intercept = 0;
 };
 
+constexpr std::int64_t k_undefined_bytes = 0xFFFFFFFF;  // no length of an element, which are even 32 bit numbers
+
 struct SeriesIds {
     std::string study, series, frame;
     std::vector<std::string> instances;
@@ -174,6 +176,9 @@ void write_dicom_series(const Volume& volume, const fs::path& folder, const JobC
     if (n.x > 65535 || n.y > 65535)
         throw Error(Errc::unsupported, "Cannot write the DICOM series " + folder.string() +
                                            ": a slice holds at most 65535 rows and columns.");
+    if (std::int64_t(n.x) * n.y * std::int64_t(sizeof(Uint16)) >= k_undefined_bytes)
+        throw Error(Errc::unsupported, "Cannot write the DICOM series " + folder.string() +
+                                           ": a slice holds at most 4294967294 bytes; write .nrrd instead.");
     const Storage storage = storage_of(volume, folder);
     SeriesIds ids{fresh_uid(SITE_STUDY_UID_ROOT), fresh_uid(SITE_SERIES_UID_ROOT), fresh_uid(SITE_SERIES_UID_ROOT), {}};
     for (int z = 0; z < n.z; ++z) ids.instances.push_back(fresh_uid(SITE_INSTANCE_UID_ROOT));

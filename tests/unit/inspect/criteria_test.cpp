@@ -44,6 +44,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadCriteria{"too_large", R"({"limits": {"defect_volume_mm3": 1e999}})", "defect_volume_mm3"},
         BadCriteria{"negative", R"({"limits": {"defect_diameter_mm": -1}})", "limits.defect_diameter_mm"},
         BadCriteria{"over_100", R"({"limits": {"porosity_percent": 101}})", "limits.porosity_percent"},
+        BadCriteria{"count_beyond_counting", R"({"limits": {"count": 1e30}})", "limits.count"},
         BadCriteria{"half_a_count", R"({"limits": {"count": 1.5}})", "limits.count"},
         BadCriteria{"unknown_at_top", R"({"limit": {}})", "limit is no known key"},
         BadCriteria{"unknown_limit", R"({"limits": {"pore_size_mm": 1}})", "limits.pore_size_mm"},

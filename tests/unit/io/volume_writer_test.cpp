@@ -7,8 +7,10 @@
 #include <csignal>
 #include <set>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/io/dicom_reader.h"
+#include "core/io/dicom_writer.h"
 #include "volume_fixture.h"
 
 using namespace lacuna;
@@ -47,6 +49,23 @@ Volume noise_volume(glm::ivec3 size) {
 class EveryFormat : public testing::TestWithParam<const char*> {};
 
 }  // namespace
+
+// What no DICOM element can hold is refused before a file is begun; nobody touches the voxels, so they take no memory.
+TEST(WriteDicomSeries, RefusesSlicesThatNoElementHolds) {
+    const ScratchFolder folder;
+    for (const glm::ivec3 size : {glm::ivec3(65536, 1, 1), glm::ivec3(65535, 32769, 1)}) {
+        GridGeometry grid;
+        grid.size = size;
+        const Volume volume(grid, VoxelType::u8, VoxelBuffer(std::size_t(grid.voxel_count())));
+        try {
+            write_dicom_series(volume, folder / "series");
+            FAIL() << size.x << " x " << size.y;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), Errc::unsupported) << error.what();
+            EXPECT_FALSE(std::filesystem::exists(folder / "series"));
+        }
+    }
+}
 
 TEST_P(EveryFormat, KeepsValuesTypeAndObliqueGeometry) {
     const ScratchFolder folder;
