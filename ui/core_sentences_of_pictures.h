@@ -92,6 +92,10 @@ inline constexpr const char* k_picture_sentences[] = {
     QT_TRANSLATE_NOOP(
         "CoreSentence",
         "The leaping kernel '%1' shows all regions alike; 'lossless' hides some or draws them its own way."),
+    QT_TRANSLATE_NOOP(
+        "CoreSentence",
+        "The structure 'leap' answers with runs of equal samples, which pre-integrated segments do not take; "
+        "none, macrocells, octree, pyramid, pc, acd and eacd can serve them."),
     QT_TRANSLATE_NOOP("CoreSentence",
                       "The leaping kernel '%1' serves mode ea without shading and opacity by gradient, sampled "
                       "linearly; 'lossless' serves the rest."),

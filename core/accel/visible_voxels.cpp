@@ -60,31 +60,24 @@ public:
         p[direction.axis] = c;
         VoxelLook look;
         look.value = float(view_(p.x, p.y, p.z));
-        if (slices_.inner(u, v, c))
+        if (slices_.inner(u, v, c)) {
             look.kind = VoxelLook::cap;
-        else if (const int face = face_of(u, v, c); face >= 0)
-            look.normal[std::size_t(face)] = 32767;
-        else
+        } else if (c == front_) {
+            look.normal[std::size_t(direction.axis)] = 32767;
+        } else {
             look.normal = packed(normals_.at(p));
+            look.sides = sides_of(u, v, c);
+        }
         return look;
     }
 
 private:
-    /// The axis of the volume's own side through which the voxel is looked at, or -1: a voxel of the first slice, or
-    /// one at a side that another voxel hides from the front.
-    int face_of(int u, int v, int c) const {
-        const SliceDirection& direction = slices_.direction;
-        if (c == front_) return direction.axis;
-        const bool u_side = entered(u, slices_.columns, direction.u_lean);
-        const bool v_side = entered(v, slices_.rows, direction.v_lean);
-        if (!u_side && !v_side) return -1;
-        if (!slices_.voxel(u, v, direction.from_low ? c - 1 : c + 1)) return -1;
-        return u_side ? direction.u_axis() : direction.v_axis();
-    }
-
-    /// Rays of the region can enter the volume beside this row or column.
-    static bool entered(int at, int count, int lean) {
-        return (at == 0 && lean >= 0) || (at == count - 1 && lean <= 0);
+    /// Which of them rays enter by is the view's to say: lists for every lean say the same of a voxel.
+    std::uint8_t sides_of(int u, int v, int c) const {
+        const int sides =
+            (u == 0 ? 1 : 0) | (u == slices_.columns - 1 ? 2 : 0) | (v == 0 ? 4 : 0) | (v == slices_.rows - 1 ? 8 : 0);
+        if (sides == 0 || !slices_.voxel(u, v, slices_.direction.from_low ? c - 1 : c + 1)) return 0;
+        return std::uint8_t(sides);
     }
 
     VolumeView<T> view_;

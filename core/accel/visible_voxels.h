@@ -23,12 +23,15 @@ struct Solid {
 
 /// How a listed voxel looks.
 struct VoxelLook {
-    enum Kind : std::int16_t {
+    enum Kind : std::uint8_t {
         surface,  ///< shaded with its normal
         cap       ///< inside the object, laid bare by a cut: drawn as its data value
     };
     std::array<std::int16_t, 3> normal{};  ///< unit vector * 32767 along the grid's axes (mm); 0: no gradient
-    std::int16_t kind = surface;
+    std::uint8_t kind = surface;
+    /// Of a voxel that another one hides from the front: sides of the volume it lies at (low u 1, high u 2, low v 4,
+    /// high v 8). A view that comes in through one of them sees that side, any other the surface.
+    std::uint8_t sides = 0;
     float value = 0;
 };
 

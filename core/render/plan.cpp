@@ -67,6 +67,11 @@ void check_leap(const Plan& plan, const Scene& scene) {
         throw Error(Errc::bad_usage,
                     "The structure 'leap' keeps 15 bits a voxel and cannot serve f32 values unless the range to "
                     "quantise is stated; none, macrocells, octree, pyramid, pc, acd and eacd can.");
+    if (scene.mode == ViewMode::ea && plan.integration == Integration::preintegrated)
+        throw Error(
+            Errc::bad_usage,
+            "The structure 'leap' answers with runs of equal samples, which pre-integrated segments do not take; "
+            "none, macrocells, octree, pyramid, pc, acd and eacd can serve them.");
     if (leap.kernel == Leaping::lossless) return;
     if (scene.regions)
         throw Error(Errc::bad_usage, "The leaping kernel '" + std::string(name_of(leap.kernel)) +

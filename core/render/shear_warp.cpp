@@ -24,9 +24,24 @@ Solid solid_of(const Scene& scene, const Plan& plan) {
     return solid;
 }
 
-float facing(const VoxelLook& look, const glm::vec3& direction_grid) {
+/// A view onto listed voxels, along the grid's axes.
+struct Sight {
+    glm::vec3 direction;
+    int u_axis, v_axis;
+    int entered;  ///< sides of the volume rays come in by, as VoxelLook::sides
+
+    Sight(const glm::dvec3& along, const SliceDirection& slices)
+        : direction(along), u_axis(slices.u_axis()), v_axis(slices.v_axis()) {
+        entered = (along[u_axis] < 0 ? 2 : 1) | (along[v_axis] < 0 ? 8 : 4);
+    }
+};
+
+float facing(const VoxelLook& look, const Sight& sight) {
+    constexpr int k_u_sides = 3;
+    if (const int side = look.sides & sight.entered)
+        return std::min(std::fabs(sight.direction[side & k_u_sides ? sight.u_axis : sight.v_axis]), 1.0f);
     const glm::vec3 normal(look.normal[0], look.normal[1], look.normal[2]);
-    return std::min(std::fabs(glm::dot(normal, direction_grid)) / 32767, 1.0f);
+    return std::min(std::fabs(glm::dot(normal, sight.direction)) / 32767, 1.0f);
 }
 
 /// Paints rows [first, last) back to front, key_of(number of the voxel) into each pixel. Bands of rows never meet, so
@@ -72,14 +87,15 @@ void color_band(ShearImage& image, int first, int last, ColorOf&& color_of) {
 void ShearWarpRenderer::paint_voxels(const VisibleVoxels& lists, const Scene& scene, const glm::dvec3& forward,
                                      const Shear& shear, const JobContext& job) {
     const glm::dvec3 direction_grid = glm::transpose(scene.volume.geometry().direction) * forward;
-    const glm::vec3 surface(scene.surface_color), direction(direction_grid);
+    const glm::vec3 surface(scene.surface_color);
+    const Sight sight(direction_grid, lists.direction);
     const bool deferred = scene.shading == Shading::phong;
     const float ambient = scene.shading == Shading::lambert ? 0.2f : 1.0f, diffuse = 1 - ambient;
     const auto baked_shade = [&](std::uint32_t key) {
         const VoxelLook& look = lists.look[key];
         return std::bit_cast<std::uint32_t>(look.kind == VoxelLook::cap
                                                 ? k_cap_shade + float(grey_level(scene.window, look.value))
-                                                : ambient + diffuse * facing(look, direction));
+                                                : ambient + diffuse * facing(look, sight));
     };
     const auto baked_color = [&](std::uint32_t key) {
         const auto shade = std::bit_cast<float>(key);
@@ -88,7 +104,7 @@ void ShearWarpRenderer::paint_voxels(const VisibleVoxels& lists, const Scene& sc
     const auto phong_color = [&](std::uint32_t key) {
         const VoxelLook& look = lists.look[key];
         if (look.kind == VoxelLook::cap) return glm::vec4(glm::vec3(float(grey_level(scene.window, look.value))), 1);
-        const float c = facing(look, direction), c4 = c * c * c * c, c16 = c4 * c4 * c4 * c4;
+        const float c = facing(look, sight), c4 = c * c * c * c, c16 = c4 * c4 * c4 * c4;
         return glm::vec4(surface * (0.2f + 0.7f * c) + 0.3f * (c16 * c4), 1);
     };
     parallel_bands(0, image_.size.y, 4 * thread_count(),

@@ -1978,6 +1978,10 @@
         <translation>Der Sprungkernel „%1“ zeigt alle Regionen gleich; „lossless“ blendet einzelne aus oder zeichnet sie eigens.</translation>
     </message>
     <message>
+        <source>The structure &apos;leap&apos; answers with runs of equal samples, which pre-integrated segments do not take; none, macrocells, octree, pyramid, pc, acd and eacd can serve them.</source>
+        <translation>Die Struktur „leap“ antwortet mit Folgen gleicher Proben, die vorintegrierte Segmente nicht nehmen; none, macrocells, octree, pyramid, pc, acd und eacd passen dazu.</translation>
+    </message>
+    <message>
         <source>The leaping kernel &apos;%1&apos; serves mode ea without shading and opacity by gradient, sampled linearly; &apos;lossless&apos; serves the rest.</source>
         <translation>Der Sprungkernel „%1“ dient dem Modus ea ohne Schattierung und Deckkraft nach Gradient, linear abgetastet; „lossless“ dient dem Rest.</translation>
     </message>

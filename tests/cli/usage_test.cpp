@@ -115,6 +115,7 @@ TEST_F(Usage, FlagsThatDoNotGoTogether) {
     refuse({"--integration", "preintegrated", "--sampler", "adaptive"}, "linear");
     refuse({"--integration", "preintegrated", "--homogeneity", "0.1"}, "riemann");
     refuse({"--structure", "acd", "--homogeneity", "1.5"}, "opacities");
+    refuse({"--structure", "leap", "--integration", "preintegrated"}, "macrocells");
     refuse({"--structure", "leap", "--homogeneity", "0.1", "--brick", "16"}, "bricks");
     expect_failure(lacuna({"render", "sample:head@16", "-o", out, "--mode", "shear-warp", "--regions", "hide"}), 2,
                    "--regions");

@@ -154,6 +154,19 @@ TEST(Segments, ShowAPeakNoSampleEverHits) {
     }
 }
 
+TEST(Segments, LeapIsRefusedNamingWhatCanServe) {
+    const Scene scene = spike_scene(test::ugly_volumes()[2].volume, 0.1);
+    Plan plan = segments(0.5);
+    plan.structure = Structure::leap;
+    try {
+        check(plan, scene);
+        FAIL() << "no kernel takes runs of segments";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Errc::bad_usage);
+        EXPECT_NE(std::string(error.what()).find("acd"), std::string::npos) << error.what();
+    }
+}
+
 TEST(Segments, WrongCombinationsAreRefused) {
     Scene scene = test::small_scene(test::ugly_volumes()[0].volume, ViewMode::ea);
     Plan plan = segments();
