@@ -12,6 +12,7 @@ namespace lacuna {
 namespace {
 
 constexpr int k_entries = 65536;
+constexpr double k_most_angle_cells = 1e9;  // along an edge of the cube: six faces of them have 64 bit numbers
 
 /// The step of the threshold that opacity and colour fall into; invisible values have one of their own.
 std::array<int, 4> steps_of(const ColorOpacity& at, double threshold) {
@@ -110,6 +111,7 @@ private:
         if (size[axis] == 0) return 0;
         if (!(size[axis] > 0) || !(rules_.angle_deg > 0)) return -1;
         const double cells = std::ceil(90 * std::numbers::sqrt2 / rules_.angle_deg);
+        if (!(cells <= k_most_angle_cells)) return -1;
         const auto cell = [&](int other) {
             const double angle = std::atan(g[other] / size[axis]) / (std::numbers::pi / 2) + 0.5;
             return std::int64_t(std::clamp(std::floor(angle * cells), 0.0, cells - 1));
