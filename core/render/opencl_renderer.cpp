@@ -22,6 +22,7 @@ namespace lacuna {
 namespace {
 
 constexpr int k_group_pixels = 16;      // a work-group covers 16x16 pixels
+constexpr int k_band_pixels = 32;       // rows that are cast together, where there are as many: two of work-groups
 constexpr int k_tiles_a_group = 16;     // or so many 4x4 tiles of a list
 constexpr cl_uint k_first_row_arg = 2;  // of every ray-casting kernel
 
@@ -203,7 +204,7 @@ void OpenClRenderer::run_bands(Caster& caster, const PixelRect& rect, const JobC
     const int group = caster.blocks ? 1 : lanes_ == 16 ? 4 : 8;
     cl::Kernel& kernel = caster.kernel;
     run_in_bands(
-        *device_, rect.size().y, k_group_pixels,
+        *device_, rect.size().y, k_band_pixels,
         [&](int first, int count, cl::Event& done) {
             kernel.setArg(k_first_row_arg, cl_int(rect.first.y + first));
             device_->queue().enqueueNDRangeKernel(

@@ -60,8 +60,9 @@ INLINE float slab_bound(constant RayParams* p, Structure s, const Group* g, int 
 
 /// The best of samples k .. stop-1 of a packet's rays, after what was found before. A ray without a sample there takes
 /// one it has, or none.
+/// @param fetch  what is asked for meanwhile
 INLINE Found best_between(global const voxel_t* volume, constant RayParams* p, const Rays* r, int k, int stop,
-                          const ulong* entries, const Block* b, Found before) {
+                          const ulong* entries, const Block* b, Fetch* fetch, Found before) {
     const VI active = rays_between(r, k, stop);
     const VF least = TO_FLOAT(r->first), most = TO_FLOAT(r->end - 1);
     Found found = before;
@@ -84,6 +85,7 @@ INLINE Found best_between(global const voxel_t* volume, constant RayParams* p, c
             const int count = min(stop - k, BLOCK_SAMPLES);
             find_cells(b, &held, k, count, cell, fraction);
             for (int j = 0; j < count; ++j, ++k) {
+                fetch_on(fetch);
                 const VF value = block_value(entries, (const volatile uint*)&cell[j], &fraction[j]);
                 const VI better = MASK(TOWARDS_BEST(value) > found.best) & in_ranges(p, value, &row);
                 found.best = better ? TOWARDS_BEST(value) : found.best;
@@ -119,15 +121,16 @@ INLINE void search_slab(global const voxel_t* volume, constant RayParams* p, Sea
         if (in_slabs && part == 0 && !filled) continue;
         COUNT(s->copied += filled;)
         left &= ~together;
-        const int fetches = filled && part == 0 && ahead < g->slabs;
-        int4 first, last;
-        if (fetches) slab_box(p, g, ahead, &first, &last);
-        for (int i = 0; i < GROUP_PACKETS; ++i) {
-            if (fetches) fetch_slice(volume, p, first, last, i);
+        Fetch fetch = {0};
+        if (filled && part == 0 && ahead < g->slabs) {
+            int samples = 0;
+            for (int i = 0; i < GROUP_PACKETS; ++i) samples += together >> i & 1 ? g->stop[i] - g->next[i] : 0;
+            fetch = fetch_slab(volume, p, g, ahead, samples);
+        }
+        for (int i = 0; i < GROUP_PACKETS; ++i)
             if (together >> i & 1)
                 s->found[i] = best_between(volume, p, &g->rays[i], g->next[i], g->stop[i], filled ? entries : 0, &block,
-                                           s->found[i]);
-        }
+                                           &fetch, s->found[i]);
     }
     for (int i = 0; i < GROUP_PACKETS; ++i) {
 #if LACUNA_COUNT
@@ -146,7 +149,8 @@ INLINE void search_slab(global const voxel_t* volume, constant RayParams* p, Sea
 kernel void raycast_mip_blocks(global const voxel_t* restrict volume, constant RayParams* p, const int first_row,
                                global const uint* restrict lut_color, global float4* restrict out_color,
                                global float* restrict out_depth STRUCTURE_ARGS COUNTER_ARGS) {
-    const int x0 = (int)get_global_id(0) * GROUP_PIXELS, y0 = first_row + (int)get_global_id(1) * GROUP_PIXELS;
+    const int2 origin = tiled_origin(first_row);
+    const int x0 = origin.x, y0 = origin.y;
     const VF zero = (VF)(0.0f);
     const Found nothing = {(VF)(-INFINITY), zero};
     ulong entries[BLOCK_ENTRIES + BLOCK_SLACK];
