@@ -160,8 +160,7 @@ void add_method_reasons(Plan& plan, const Scene& scene) {
         const auto peak = narrowest_peak(scene.classification);
         if (peak && *peak < plan.homogeneity)
             add("A peak of the transfer function is narrower than the threshold: homogeneous nodes may hide it; pc, "
-                "acd "
-                "and eacd compare opacities.");
+                "acd and eacd compare opacities.");
     }
     if (plan.integration == Integration::preintegrated)
         add("Pre-integrated segments: a transfer function's peaks between two samples are not missed.");
