@@ -24,8 +24,8 @@ constexpr const char* k_context = "CoreSentence";
 constexpr int k_first_phrase = 8;
 constexpr int k_kept = 4096;
 
-const Words k_all_sentences[] = {k_core_sentences, k_file_sentences, k_work_sentences, k_picture_sentences,
-                                 k_reason_sentences};
+const Words k_all_sentences[] = {k_core_sentences,    k_file_sentences,   k_work_sentences,
+                                 k_picture_sentences, k_reason_sentences, k_failure_sentences};
 const Words k_all_phrases[] = {k_core_phrases, k_file_phrases, k_work_phrases, k_picture_phrases};
 
 QString translated(const char* known) { return QCoreApplication::translate(k_context, known); }

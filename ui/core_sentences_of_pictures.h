@@ -256,6 +256,43 @@ inline constexpr const char* k_reason_sentences[] = {
     QT_TRANSLATE_NOOP("CoreSentence", "Not measured: the time set for this run was over."),
 };
 
+/// How the scene on screen meets a known failure of the way it is drawn.
+inline constexpr const char* k_failure_sentences[] = {
+    QT_TRANSLATE_NOOP("CoreSentence",
+                      "%1 of %2 voxels at the surface lie in walls that are thinner than the step of %3 voxels; %4 % "
+                      "would be missed square on."),
+    QT_TRANSLATE_NOOP("CoreSentence",
+                      "%1 of %2 places where values pass a peak of the transfer function make shells that are thinner "
+                      "than the step of %3 voxels; %4 % would be missed square on."),
+    QT_TRANSLATE_NOOP("CoreSentence",
+                      "%1 of %2 voxels at visible borders lie in layers that are thinner than the step of %3 voxels; "
+                      "%4 % would be missed square on."),
+    QT_TRANSLATE_NOOP("CoreSentence", "The transfer function has a peak %1 wide; an entry of the table covers %2."),
+    QT_TRANSLATE_NOOP("CoreSentence", "Up to %1 of 255 grey levels may be hidden."),
+    QT_TRANSLATE_NOOP("CoreSentence",
+                      "%1 voxels stand out from all their neighbours, by up to %2; up to %3 of 255 grey levels of that "
+                      "are lost at this step."),
+    QT_TRANSLATE_NOOP("CoreSentence",
+                      "This view lies within a third of a degree of where the principal axis switches."),
+    QT_TRANSLATE_NOOP("CoreSentence", "This view is slanted by %1 degrees to the slices."),
+    QT_TRANSLATE_NOOP("CoreSentence",
+                      "The transfer function has a peak %1 wide, the threshold is %2: nodes as flat as that may hold "
+                      "the whole peak."),
+    QT_TRANSLATE_NOOP("CoreSentence", "The threshold of %1 lets regions differ visibly from what they stand for."),
+    QT_TRANSLATE_NOOP("CoreSentence", "Most of %1 voxels along an axis is empty, and a box reaches %2."),
+    QT_TRANSLATE_NOOP("CoreSentence", "%1 % of the voxels are visible: there is little to skip."),
+    QT_TRANSLATE_NOOP("CoreSentence", "%1 % of the voxels equal their neighbour, and not all of these lie in regions."),
+    QT_TRANSLATE_NOOP("CoreSentence", "Regions span up to %1 % of the values and are drawn as their mean."),
+    QT_TRANSLATE_NOOP("CoreSentence", "Only %1 % of the voxels equal their neighbour: regions of one value are few."),
+    QT_TRANSLATE_NOOP(
+        "CoreSentence",
+        "%1 voxels stand alone across two axes or three; a voxel is %2 pixels wide, and every %3. pixel is cast."),
+    QT_TRANSLATE_NOOP("CoreSentence", "%1 voxels are no numbers."),
+    QT_TRANSLATE_NOOP("CoreSentence", "The eye is %1 voxels away."),
+    QT_TRANSLATE_NOOP("CoreSentence", "All voxels are equal."),
+    QT_TRANSLATE_NOOP("CoreSentence", "The volume is one voxel thick."),
+};
+
 inline constexpr const char* k_picture_phrases[] = {
     QT_TRANSLATE_NOOP("CoreSentence", "known are %1"),
     QT_TRANSLATE_NOOP("CoreSentence", "there is none here"),

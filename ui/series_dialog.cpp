@@ -22,6 +22,8 @@ SeriesDialog::SeriesDialog(const std::vector<SeriesEntry>& entries, QWidget* par
     table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table_->setTabKeyNavigation(false);
     table_->verticalHeader()->hide();
+    // Only the description gives way: a size in two lines reads as two.
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
     for (int row = 0; row < int(entries.size()); ++row) {
         const SeriesEntry& entry = entries[std::size_t(row)];

@@ -3241,6 +3241,86 @@
         <source>Bricks of %1 voxels: the volume has more than %2 of them, which is the most that are drawn in one piece.</source>
         <translation>Blöcke von %1 Voxeln: Das Volumen hat mehr als %2 davon, das Meiste, was in einem Stück gezeichnet wird.</translation>
     </message>
+    <message>
+        <source>%1 of %2 voxels at the surface lie in walls that are thinner than the step of %3 voxels; %4 % would be missed square on.</source>
+        <translation>%1 von %2 Voxeln an der Oberfläche liegen in Wänden, die dünner als die Schrittweite von %3 Voxeln sind; bei senkrechtem Blick gingen %4 % verloren.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places where values pass a peak of the transfer function make shells that are thinner than the step of %3 voxels; %4 % would be missed square on.</source>
+        <translation>%1 von %2 Stellen, an denen Werte eine Spitze der Transferfunktion durchlaufen, bilden Schalen, die dünner als die Schrittweite von %3 Voxeln sind; bei senkrechtem Blick gingen %4 % verloren.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 voxels at visible borders lie in layers that are thinner than the step of %3 voxels; %4 % would be missed square on.</source>
+        <translation>%1 von %2 Voxeln an sichtbaren Grenzen liegen in Schichten, die dünner als die Schrittweite von %3 Voxeln sind; bei senkrechtem Blick gingen %4 % verloren.</translation>
+    </message>
+    <message>
+        <source>The transfer function has a peak %1 wide; an entry of the table covers %2.</source>
+        <translation>Die Transferfunktion hat eine Spitze von %1 Breite; ein Eintrag der Tabelle umfasst %2.</translation>
+    </message>
+    <message>
+        <source>Up to %1 of 255 grey levels may be hidden.</source>
+        <translation>Bis zu %1 von 255 Graustufen können verborgen sein.</translation>
+    </message>
+    <message>
+        <source>%1 voxels stand out from all their neighbours, by up to %2; up to %3 of 255 grey levels of that are lost at this step.</source>
+        <translation>%1 Voxel heben sich von allen Nachbarn ab, um bis zu %2; davon gehen bei dieser Schrittweite bis zu %3 von 255 Graustufen verloren.</translation>
+    </message>
+    <message>
+        <source>This view lies within a third of a degree of where the principal axis switches.</source>
+        <translation>Diese Ansicht liegt auf ein Drittel Grad an der Stelle, wo die Hauptachse wechselt.</translation>
+    </message>
+    <message>
+        <source>This view is slanted by %1 degrees to the slices.</source>
+        <translation>Diese Ansicht ist um %1 Grad gegen die Schichten geneigt.</translation>
+    </message>
+    <message>
+        <source>The transfer function has a peak %1 wide, the threshold is %2: nodes as flat as that may hold the whole peak.</source>
+        <translation>Die Transferfunktion hat eine Spitze von %1 Breite, die Schwelle ist %2: So flache Knoten können die ganze Spitze enthalten.</translation>
+    </message>
+    <message>
+        <source>The threshold of %1 lets regions differ visibly from what they stand for.</source>
+        <translation>Die Schwelle von %1 lässt Regionen sichtbar von dem abweichen, wofür sie stehen.</translation>
+    </message>
+    <message>
+        <source>Most of %1 voxels along an axis is empty, and a box reaches %2.</source>
+        <translation>Der größte Teil von %1 Voxeln längs einer Achse ist leer, und ein Quader reicht %2 weit.</translation>
+    </message>
+    <message>
+        <source>%1 % of the voxels are visible: there is little to skip.</source>
+        <translation>%1 % der Voxel sind sichtbar: Es gibt wenig zu überspringen.</translation>
+    </message>
+    <message>
+        <source>%1 % of the voxels equal their neighbour, and not all of these lie in regions.</source>
+        <translation>%1 % der Voxel gleichen ihrem Nachbarn, und nicht alle davon liegen in Regionen.</translation>
+    </message>
+    <message>
+        <source>Regions span up to %1 % of the values and are drawn as their mean.</source>
+        <translation>Regionen umfassen bis zu %1 % der Werte und werden als ihr Mittel gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Only %1 % of the voxels equal their neighbour: regions of one value are few.</source>
+        <translation>Nur %1 % der Voxel gleichen ihrem Nachbarn: Regionen eines einzigen Werts sind selten.</translation>
+    </message>
+    <message>
+        <source>%1 voxels stand alone across two axes or three; a voxel is %2 pixels wide, and every %3. pixel is cast.</source>
+        <translation>%1 Voxel stehen längs zweier oder dreier Achsen allein; ein Voxel ist %2 Bildpunkte breit, und jeder %3. Bildpunkt wird gerechnet.</translation>
+    </message>
+    <message>
+        <source>%1 voxels are no numbers.</source>
+        <translation>%1 Voxel sind keine Zahlen.</translation>
+    </message>
+    <message>
+        <source>The eye is %1 voxels away.</source>
+        <translation>Das Auge ist %1 Voxel entfernt.</translation>
+    </message>
+    <message>
+        <source>All voxels are equal.</source>
+        <translation>Alle Voxel sind gleich.</translation>
+    </message>
+    <message>
+        <source>The volume is one voxel thick.</source>
+        <translation>Das Volumen ist ein Voxel dick.</translation>
+    </message>
 </context>
 <context>
     <name>Gestures</name>
@@ -6457,8 +6537,8 @@
     <message numerus="yes">
         <source>The scene on screen meets %n of these failures:</source>
         <translation>
-            <numerusform>Die gezeigte Szene trifft %n dieser Fälle:</numerusform>
-            <numerusform>Die gezeigte Szene trifft %n dieser Fälle:</numerusform>
+            <numerusform>Auf die gezeigte Szene trifft %n dieser Fälle zu:</numerusform>
+            <numerusform>Auf die gezeigte Szene treffen %n dieser Fälle zu:</numerusform>
         </translation>
     </message>
 </context>
@@ -7044,7 +7124,7 @@
     </message>
     <message>
         <source>Family name; * and ? stand for any letters</source>
-        <translation>Familienname; * und ? stehen für beliebige Buchstaben</translation>
+        <translation>Familienname; * und ? als Platzhalter</translation>
     </message>
     <message>
         <source>Any date</source>

@@ -64,7 +64,7 @@ bool is_prose(const QString& text) {
 bool speaks_elsewhere(const QString& file) {
     static const QStringList begins = {
         // The known failures: the context "Limits". The command line's tables. What is written into files.
-        QStringLiteral("accuracy/limit"),        QStringLiteral("accuracy/sweep"),
+        QStringLiteral("accuracy/limits"),       QStringLiteral("accuracy/sweep"),
         QStringLiteral("accuracy/device_costs"), QStringLiteral("compute/device_list"),
         QStringLiteral("inspect/report_"),       QStringLiteral("inspect/batch_summary"),
         QStringLiteral("inspect/inspect."),      QStringLiteral("io/mesh_writer"),

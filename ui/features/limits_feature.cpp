@@ -4,6 +4,8 @@
 #include <QScrollBar>
 #include <algorithm>
 
+#include "ui/core_sentences.h"
+
 namespace lacuna::ui {
 
 namespace {
@@ -44,7 +46,8 @@ QString word_of(Guard guard) {
 QString entry(const Limit& limit, const MetLimit* met) {
     QString html = QStringLiteral("<p style='margin:6px 0 2px 0'><b>%1</b> &nbsp;<i>%2</i></p>")
                        .arg((met ? QStringLiteral("\u26a0 ") : QString()) + in_words(limit.name), word_of(limit.guard));
-    if (met) html += QStringLiteral("<p style='margin:0 0 2px 14px'>%1</p>").arg(utf8(met->how).toHtmlEscaped());
+    if (met)
+        html += QStringLiteral("<p style='margin:0 0 2px 14px'>%1</p>").arg(core_sentence(met->how).toHtmlEscaped());
     html += QStringLiteral("<p style='margin:0 0 2px 14px'>%1</p>").arg(sentence(limit.fails));
     html += QStringLiteral("<p style='margin:0 0 2px 14px'>%1 %2</p>")
                 .arg(LimitsFeature::tr("What is done:"), sentence(limit.guarded));

@@ -234,7 +234,7 @@ void ShapePlot::paintAxes(QPainter& painter) const {
     const QRectF foot(plotRect().left(), plotRect().bottom() + 4, plotRect().width(), k_foot - 6);
     painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, number_text(values_.lo, 'g', 5));
     painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, number_text(values_.hi, 'g', 5));
-    painter.drawText(foot, Qt::AlignCenter, tr("value →  ↑ gradient to %1 per mm").arg(number_text(steepest_, 'g', 4)));
+    painter.drawText(foot, Qt::AlignCenter, tr("value →  ↑ gradient to %1 per mm").arg(number_text(steepest_, 'g', 5)));
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(hasFocus() ? theme::colors().accent : theme::colors().border, 1));
     painter.drawRect(rect().adjusted(0, 0, -1, -1));

@@ -1,0 +1,128 @@
+// The German window: every control is named in German, and its longer words have room at 1280x720.
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableView>
+
+#include "tests/gui/window_fixture.h"
+#include "ui/language.h"
+#include "ui/panels/speed_panel.h"
+#include "ui/preferences.h"
+
+namespace lacuna::ui::test {
+namespace {
+
+class GermanWindow : public testing::Test {
+protected:
+    void TearDown() override {
+        window_.reset();
+        use("en");
+        preferences::forget_window();
+    }
+    static void use(const char* code) {
+        preferences::set_language(QLatin1String(code));
+        Language::instance()->apply();
+    }
+    /// A new window in a language, with a part in it and a range and a cut set.
+    MainWindow& made(const char* code) {
+        window_.reset();
+        preferences::forget_window();
+        use(code);
+        window_ = std::make_unique<MainWindow>([](const JobContext&) { return std::make_shared<Engine>(nullptr); });
+        window_->resize(1280, 720);
+        window_->show();
+        QSignalSpy finished(window_->loader(), &LoadController::finished);
+        window_->openInput(k_casting);
+        EXPECT_TRUE(finished.wait(k_patience_ms));
+        window_->rangesPanel()->addRange();
+        window_->cutsPanel()->addCut();
+        QApplication::processEvents();
+        return *window_;
+    }
+    /// Calls `check` with every page of the panels and every dock in view, one after the other.
+    template <class Check>
+    static void eachPanel(MainWindow& window, Check&& check) {
+        for (int page = 0; page < window.tabs()->count(); ++page) {
+            window.tabs()->setCurrentIndex(page);
+            QApplication::processEvents();
+            check("page " + window.tabs()->tabText(page).toStdString());
+        }
+        for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+            dock->show();
+            dock->raise();
+            QApplication::processEvents();
+            check("dock " + dock->windowTitle().toStdString());
+        }
+    }
+    std::unique_ptr<MainWindow> window_;
+};
+
+struct Named {
+    std::string kind;
+    QString name, description;
+};
+
+std::vector<Named> names_of(const MainWindow& window) {
+    std::vector<Named> all;
+    for (const QWidget* widget : window.findChildren<QWidget*>())
+        all.push_back({widget->metaObject()->className(), widget->accessibleName(), widget->accessibleDescription()});
+    return all;
+}
+
+TEST_F(GermanWindow, ControlsAreNamedInGerman) {
+    const std::vector<Named> english = names_of(made("en")), german = names_of(made("de"));
+    ASSERT_EQ(english.size(), german.size());
+    int named = 0;
+    for (std::size_t i = 0; i < english.size(); ++i) {
+        ASSERT_EQ(english[i].kind, german[i].kind);
+        ASSERT_EQ(english[i].name.isEmpty(), german[i].name.isEmpty()) << english[i].name.toStdString();
+        for (const auto& [in_english, in_german] :
+             {std::pair{english[i].name, german[i].name}, {english[i].description, german[i].description}}) {
+            static const QString same = QStringLiteral("Gamma: Gamma");
+            // Single words may be the same in both.
+            if (!in_english.contains(QLatin1Char(' ')) || in_english == same) continue;
+            ++named;
+            EXPECT_NE(in_english, in_german) << english[i].kind;
+        }
+    }
+    EXPECT_GT(named, 60);
+}
+
+TEST_F(GermanWindow, WordsHaveRoom) {
+    for (const char* code : {"en", "de"}) {
+        MainWindow& window = made(code);
+        ASSERT_EQ(window.size(), QSize(1280, 720)) << "the panels ask for more than the screen has";
+        std::set<std::string> cut;
+        eachPanel(window, [&](const std::string& where) {
+            for (const QWidget* widget : window.findChildren<QWidget*>()) {
+                const auto* label = qobject_cast<const QLabel*>(widget);
+                const bool elided = label && label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored;
+                const bool words = qobject_cast<const QAbstractButton*>(widget) || (label && !label->wordWrap());
+                if (!words || elided || !widget->isVisible() || widget->visibleRegion().isEmpty()) continue;
+                const QString text = widget->property("text").toString();
+                if (!text.isEmpty() && widget->width() < widget->minimumSizeHint().width())
+                    cut.insert(where + ": " + text.toStdString());
+            }
+            for (const QComboBox* box : window.findChildren<QComboBox*>())
+                if (box->isVisible() && box->width() < box->minimumSizeHint().width())
+                    cut.insert(where + ": " + box->accessibleName().toStdString());
+            for (const QTableView* table : window.findChildren<QTableView*>()) {
+                const QHeaderView* header = table->horizontalHeader();
+                if (!table->isVisible() || header->isHidden()) continue;
+                for (int section = 0; section < header->count(); ++section) {
+                    const QString title =
+                        table->model()->headerData(section, Qt::Horizontal, Qt::DisplayRole).toString();
+                    const int needed = header->fontMetrics().horizontalAdvance(title);
+                    if (!header->isSectionHidden(section) && header->sectionSize(section) < needed)
+                        cut.insert(where + ", column: " + title.toStdString());
+                }
+            }
+        });
+        for (const std::string& words : cut) ADD_FAILURE() << code << ", cut off on " << words;
+    }
+}
+
+}  // namespace
+}  // namespace lacuna::ui::test
