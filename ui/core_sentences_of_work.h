@@ -144,6 +144,7 @@ inline constexpr const char* k_work_phrases[] = {
     QT_TRANSLATE_NOOP("CoreSentence", "lies below the material's values: all of the part would be inclusion"),
     QT_TRANSLATE_NOOP("CoreSentence", "is not below defects.inclusion.above (lo > hi): a value would be both"),
     QT_TRANSLATE_NOOP("CoreSentence", "is negative; a limit is 0 or more"),
+    QT_TRANSLATE_NOOP("CoreSentence", "is more than can be counted"),
     QT_TRANSLATE_NOOP("CoreSentence", "is above 100 percent"),
     QT_TRANSLATE_NOOP("CoreSentence", "must be a whole number"),
     QT_TRANSLATE_NOOP("CoreSentence", "must be [[x, y, z], [x, y, z]]: the smallest corner, then the largest, in mm"),

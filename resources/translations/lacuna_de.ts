@@ -3321,6 +3321,14 @@
         <source>The volume is one voxel thick.</source>
         <translation>Das Volumen ist ein Voxel dick.</translation>
     </message>
+    <message>
+        <source>Cannot write the DICOM series %1: a slice holds at most 4294967294 bytes; write .nrrd instead.</source>
+        <translation>Die DICOM-Serie %1 kann nicht geschrieben werden: Eine Schicht fasst höchstens 4294967294 Byte; bitte stattdessen .nrrd schreiben.</translation>
+    </message>
+    <message>
+        <source>is more than can be counted</source>
+        <translation>ist mehr, als sich zählen lässt</translation>
+    </message>
 </context>
 <context>
     <name>Gestures</name>
