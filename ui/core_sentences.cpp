@@ -82,13 +82,15 @@ struct AllKnown {
 
 std::optional<QString> in_own_words(const QString& english);
 
-/// What was filled in: a reason that is a sentence or a phrase itself, the name of a known failure, or a
-/// number.
+/// What was filled in: a reason that is a sentence or a phrase itself, the name of a known failure, a
+/// plan, or a number.
 QString filled_in(const QString& found) {
     if (const auto own = in_own_words(found)) return *own;
     const QByteArray text = found.toUtf8();
     if (const QString limit = QCoreApplication::translate("Limits", text.constData()); limit != found) return limit;
-    static const QRegularExpression numbers(QStringLiteral("^[\\d.,eE+\\-<\\[\\]() ]+( ?[^\\s/\\d]{1,6})?$"));
+    static const QRegularExpression plan(QStringLiteral("\\b(step|ert|homogeneity|gradient) \\d[^/]*$"));
+    if (plan.match(found).hasMatch()) return with_decimal_marks(found);
+    static const QRegularExpression numbers(QStringLiteral("^[\\d.,eE+\\-<\\[\\]() ]+(/255)?( ?[^\\s/\\d]{1,6})?$"));
     if (!numbers.match(found).hasMatch()) return found;
     QString number = with_decimal_marks(found);
     if (number != found) number.replace(QStringLiteral(", "), QStringLiteral("; "));  // a comma is the decimal mark now

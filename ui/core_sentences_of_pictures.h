@@ -241,6 +241,9 @@ inline constexpr const char* k_reason_sentences[] = {
     QT_TRANSLATE_NOOP("CoreSentence",
                       "Holds in all %1 views by rule (rays end where at most %2 of 255 levels are hidden, in any), and "
                       "was measured in %3 of them."),
+    QT_TRANSLATE_NOOP("CoreSentence",
+                      "%1: %2/255 from brute force over the whole view and %3 ms a frame, both measured (error budget "
+                      "%4, time budget %5)."),
     QT_TRANSLATE_NOOP(
         "CoreSentence",
         "%1: %2/255 from brute force over the whole view and %3 ms a frame, both measured (error budget %4)."),

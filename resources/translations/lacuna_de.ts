@@ -3329,6 +3329,10 @@
         <source>is more than can be counted</source>
         <translation>ist mehr, als sich zählen lässt</translation>
     </message>
+    <message>
+        <source>%1: %2/255 from brute force over the whole view and %3 ms a frame, both measured (error budget %4, time budget %5).</source>
+        <translation>%1: %2/255 Abweichung von Brute Force über die ganze Ansicht und %3 ms je Bild, beides gemessen (Fehlerbudget %4, Zeitbudget %5).</translation>
+    </message>
 </context>
 <context>
     <name>Gestures</name>

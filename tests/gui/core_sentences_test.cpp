@@ -227,6 +227,11 @@ TEST_F(GermanTest, NumbersFilledInHaveADecimalComma) {
     EXPECT_EQ(
         core_sentence("defect_diameter_mm: defect 3: 1.25 [1.1, 1.4] mm breaks 0.5 mm, the most allowed."),
         QStringLiteral("defect_diameter_mm: Fehlstelle 3: 1,25 [1,1; 1,4] mm verletzt die Grenze, höchstens 0,5 mm."));
+    EXPECT_EQ(
+        core_sentence("octree, step 0.5: 0.25/255 from brute force over the whole view and 1.5 ms a frame, both "
+                      "measured (error budget 0.5/255)."),
+        QStringLiteral("octree, step 0,5: 0,25/255 Abweichung von Brute Force über die ganze Ansicht und 1,5 ms je "
+                       "Bild, beides gemessen (Fehlerbudget 0,5/255)."));
     EXPECT_EQ(core_sentence("/a/v1.5/b.json: step has to be a number."),
               QStringLiteral("/a/v1.5/b.json: step muss eine Zahl sein."));
     EXPECT_TRUE(core_sentence("X is compressed in a way that cannot be read (transfer syntax JPIP, "
