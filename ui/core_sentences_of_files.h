@@ -39,6 +39,8 @@ inline constexpr const char* k_file_sentences[] = {
     QT_TRANSLATE_NOOP("CoreSentence",
                       "Cannot write the DICOM series %1: a slice holds at most 65535 rows and columns."),
     QT_TRANSLATE_NOOP("CoreSentence",
+                      "Cannot write the DICOM series %1: a slice holds at most 4294967294 bytes; write .nrrd instead."),
+    QT_TRANSLATE_NOOP("CoreSentence",
                       "Cannot write the DICOM series %1: %9; nothing was written; check the space and the permissions "
                       "there, or write elsewhere."),
     QT_TRANSLATE_NOOP("CoreSentence",

@@ -684,6 +684,10 @@
         <translation>Die DICOM-Serie %1 kann nicht geschrieben werden: Eine Schicht fasst höchstens 65535 Zeilen und Spalten.</translation>
     </message>
     <message>
+        <source>Cannot write the DICOM series %1: a slice holds at most 4294967294 bytes; write .nrrd instead.</source>
+        <translation>Die DICOM-Serie %1 kann nicht geschrieben werden: Eine Schicht fasst höchstens 4294967294 Bytes; bitte stattdessen .nrrd schreiben.</translation>
+    </message>
+    <message>
         <source>Cannot write the DICOM series %1: %9; nothing was written; check the space and the permissions there, or write elsewhere.</source>
         <translation>Die DICOM-Serie %1 kann nicht geschrieben werden: %9; es wurde nichts geschrieben; bitte dort Platz und Rechte prüfen oder anderswohin schreiben.</translation>
     </message>
@@ -2928,6 +2932,10 @@
     <message>
         <source>must be a whole number</source>
         <translation>muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>is more than can be counted</source>
+        <translation>ist mehr, als gezählt werden kann</translation>
     </message>
     <message>
         <source>must be [[x, y, z], [x, y, z]]: the smallest corner, then the largest, in mm</source>
