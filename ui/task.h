@@ -47,6 +47,12 @@ public:
 
     bool running() const { return job_.running(); }
 
+    /// Says in the task list that the work waits, and what lets it go on there (null: it goes on). The work itself is
+    /// held by whoever calls this.
+    void pause(std::function<void()> go_on) {
+        if (list_ && id_ != 0) list_->pause(id_, std::move(go_on));
+    }
+
 private:
     void leave() {
         if (list_ && id_ != 0) list_->end(id_);

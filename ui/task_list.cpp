@@ -7,8 +7,8 @@
 namespace lacuna::ui {
 
 std::optional<double> TaskList::Row::secondsLeft() const {
-    const double seconds = double(since.elapsed()) * 1e-3;
-    if (!(share >= 0.02) || seconds < 1) return std::nullopt;
+    const double seconds = double(since.elapsed() - paused_ms) * 1e-3;
+    if (paused() || !(share >= 0.02) || seconds < 1) return std::nullopt;
     return seconds * (1 - share) / share;
 }
 
@@ -47,6 +47,24 @@ void TaskList::end(Id id) {
     if (std::erase_if(rows_, [id](const Row& row) { return row.id == id; }) > 0) Q_EMIT changed();
 }
 
+void TaskList::pause(Id id, std::function<void()> go_on) {
+    Row* row = find(id);
+    if (!row || row->paused() == (go_on != nullptr)) return;
+    if (go_on)
+        row->paused_at_ms = row->since.elapsed();
+    else
+        row->paused_ms += row->since.elapsed() - row->paused_at_ms;
+    row->go_on = std::move(go_on);
+    Q_EMIT changed();
+}
+
+void TaskList::goOn(Id id) {
+    const Row* row = find(id);
+    if (!row || !row->paused()) return;
+    const std::function<void()> go_on = row->go_on;  // the row's goes while it is called
+    go_on();
+}
+
 void TaskList::cancel(Id id) {
     const Row* row = find(id);
     if (!row || !row->cancel) return;
@@ -60,6 +78,7 @@ void TaskList::cancelAll() {
 }
 
 QString task_text(const TaskList::Row& row) {
+    if (row.paused()) return TaskList::tr("%1 · paused").arg(row.name);
     const std::optional<double> left = row.secondsLeft();
     return left ? QStringLiteral("%1 · %2").arg(row.name, time_left_text(*left)) : row.name;
 }

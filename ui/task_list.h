@@ -27,7 +27,11 @@ public:
         AtStake at_stake = AtStake::nothing;
         QElapsedTimer since;
         std::function<void()> cancel;
+        std::function<void()> go_on;  ///< set while the job is paused: lets it go on
+        qint64 paused_at_ms = 0;      ///< of `since`, while it is paused
+        qint64 paused_ms = 0;         ///< in all, of the pauses that are over
 
+        bool paused() const { return go_on != nullptr; }
         /// Seconds left at the pace so far; none before a second and 2 % of the work have passed.
         std::optional<double> secondsLeft() const;
     };
@@ -38,6 +42,10 @@ public:
     Id begin(const QString& name, std::function<void()> cancel, AtStake at_stake = AtStake::nothing);
     void progress(Id id, double share);
     void end(Id id);
+    /// The job waits until somebody lets it go on, here by `go_on`; null: it goes on.
+    void pause(Id id, std::function<void()> go_on);
+    /// Lets a paused job go on; does nothing for others.
+    void goOn(Id id);
     /// Asks a job to stop; does nothing for one that has ended.
     void cancel(Id id);
     void cancelAll();
@@ -57,7 +65,7 @@ private:
     Id last_ = 0;
 };
 
-/// "Saving the volume", and how long it will still take where that is known.
+/// "Saving the volume", and how long it will still take where that is known, or that it is paused.
 QString task_text(const TaskList::Row& row);
 
 /// "2 min 5 s left" in words a person would use; rounded, because it is a guess.

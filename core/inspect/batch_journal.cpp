@@ -55,7 +55,7 @@ void BatchJournal::open(const std::vector<BatchPart>& parts, const BatchOptions&
                                       "folder.");
         if (!options.resume && options.shards == 1)
             throw Error(Errc::io, "The folder " + folder_.string() +
-                                      " holds this series already; give --resume to go on with it, or name a new "
+                                      " holds this series already; go on with it (--resume), or name a new "
                                       "folder.");
     } else {
         if (fs::exists(folder_, ec) &&

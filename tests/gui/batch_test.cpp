@@ -1,9 +1,11 @@
 // The batch dialog: a series is inspected, paused, cancelled and gone on with.
 #include <QFile>
 #include <QTemporaryDir>
+#include <QToolButton>
 
 #include "core/base/atomic_file.h"
 #include "core/io/volume_writer.h"
+#include "ui/dialogs/close_dialog.h"
 #include "window_fixture.h"
 
 namespace lacuna::ui::test {
@@ -38,6 +40,7 @@ TEST_F(BatchTest, ASeriesIsInspectedAndABrokenPartIsARow) {
     QTest::mouseClick(dialog->startButton(), Qt::LeftButton);
     EXPECT_TRUE(dialog->running());
     EXPECT_FALSE(dialog->startButton()->isEnabled());
+    for (const QToolButton* browse : dialog->findChildren<QToolButton*>()) EXPECT_FALSE(browse->isEnabled());
     EXPECT_EQ(window->bench()->tasks()->rows().size(), 1u);
     ASSERT_TRUE(finished.wait(k_patience_ms));
     ASSERT_EQ(dialog->model()->rowCount(), 4);
@@ -72,6 +75,37 @@ TEST_F(BatchTest, PausedCancelledAndGoneOnWith) {
     EXPECT_TRUE(QFile::exists(folder.filePath(QStringLiteral("report/summary.html"))))
         << dialog->messageText().toStdString();
     EXPECT_EQ(dialog->model()->finishedParts(), 4);
+}
+
+TEST_F(BatchTest, ClosingLetsAPausedSeriesGoOnAndWaitsForIt) {
+    QSignalSpy moved(dialog->model(), &BatchModel::dataChanged);
+    QTest::mouseClick(dialog->startButton(), Qt::LeftButton);
+    ASSERT_TRUE(moved.wait(k_patience_ms));
+    dialog->pauseButton()->setChecked(true);
+    EXPECT_FALSE(window->close());
+    const QPointer<CloseDialog> asked = window->closeGuard()->dialog();
+    ASSERT_NE(asked, nullptr);
+    EXPECT_TRUE(asked->jobsText().contains(QStringLiteral("paused"))) << asked->jobsText().toStdString();
+    asked->waitButton()->click();
+    EXPECT_FALSE(dialog->pauseButton()->isChecked());
+    EXPECT_FALSE(asked->waitButton()->isEnabled());
+    EXPECT_FALSE(asked->jobsText().contains(QStringLiteral("paused"))) << asked->jobsText().toStdString();
+    // Paused while the window waits: the same button lets it go on once more.
+    dialog->pauseButton()->setChecked(true);
+    EXPECT_TRUE(asked->waitButton()->isEnabled());
+    asked->waitButton()->click();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !window->isVisible(); }, k_patience_ms));
+    EXPECT_TRUE(QFile::exists(folder.filePath(QStringLiteral("report/summary.html"))));
+}
+
+TEST_F(BatchTest, WhatIsNotNamedIsAskedForWhereItBelongs) {
+    for (QLineEdit* field : {dialog->reportEdit(), dialog->criteriaEdit(), dialog->partsEdit()}) {
+        field->clear();
+        QTest::mouseClick(dialog->startButton(), Qt::LeftButton);
+        EXPECT_FALSE(dialog->running());
+        EXPECT_TRUE(dialog->messageText().startsWith(QStringLiteral("Name "))) << dialog->messageText().toStdString();
+        EXPECT_EQ(dialog->focusWidget(), field);
+    }
 }
 
 TEST_F(BatchTest, WhatIsOffIsSaidBeforeAnythingStarts) {

@@ -1,6 +1,7 @@
 #include "ui/dialogs/batch_dialog.h"
 
 #include <QDesktopServices>
+#include <QDir>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -52,6 +53,7 @@ QLineEdit* BatchDialog::addPathRow(QFormLayout* form, const QString& label, cons
     edit->setToolTip(tip);
     button->setText(QStringLiteral("…"));
     button->setAccessibleName(tr("Browse: %1").arg(name));
+    browse_.push_back(button);
     connect(button, &QToolButton::clicked, this, [edit, browse = std::move(browse)] {
         if (const QString chosen = browse(); !chosen.isEmpty()) edit->setText(chosen);
     });
@@ -100,6 +102,7 @@ void BatchDialog::build() {
     pause_->setCheckable(true);
     for (QPushButton* button : {cancel_, pause_, start_}) buttons->addWidget(button);
     start_->setDefault(true);
+    parts_->setFocus();
 }
 
 void BatchDialog::connectButtons() {
@@ -109,9 +112,7 @@ void BatchDialog::connectButtons() {
         job_.cancel();
     });
     connect(pause_, &QPushButton::toggled, this, &BatchDialog::setPaused);
-    connect(open_, &QPushButton::clicked, this, [this] {
-        QDesktopServices::openUrl(QUrl::fromLocalFile(report_->text() + QStringLiteral("/summary.html")));
-    });
+    connect(open_, &QPushButton::clicked, this, [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(summary_)); });
 }
 
 void BatchDialog::setPaused(bool paused) {
@@ -121,6 +122,7 @@ void BatchDialog::setPaused(bool paused) {
     }
     gate_->changed.notify_all();
     pause_->setText(paused ? tr("&Continue") : tr("&Pause"));
+    job_.pause(paused ? [this] { pause_->setChecked(false); } : std::function<void()>());
     if (job_.running())
         message_->setText(paused ? tr("Paused: parts in work stop at their next step.") : tr("Inspecting…"));
 }
@@ -131,6 +133,7 @@ void BatchDialog::showRunning(bool running) {
           static_cast<QWidget*>(reference_), static_cast<QWidget*>(jobs_), static_cast<QWidget*>(resume_),
           static_cast<QWidget*>(start_)})
         widget->setEnabled(!running);
+    for (QToolButton* button : browse_) button->setEnabled(!running);
     cancel_->setEnabled(running);
     pause_->setEnabled(running);
     if (!running) pause_->setChecked(false);
@@ -145,9 +148,16 @@ void BatchDialog::prepare() {
     asked.options.resume = resume_->isChecked();
     asked.options.memory_bytes = default_memory_limit();
     asked.options.software = "Lacuna " LACUNA_VERSION;
-    if (asked.options.folder.empty()) return message_->setText(tr("Name a report folder."));
     const std::string parts = parts_->text().trimmed().toStdString();
     const std::string criteria = criteria_->text().trimmed().toStdString();
+    const auto missing = [this](QLineEdit* field, const QString& words) {
+        message_->setText(words);
+        field->setFocus();
+    };
+    if (parts.empty()) return missing(parts_, tr("Name the folder of the parts, or a list of them."));
+    if (criteria.empty())
+        return missing(criteria_, tr("Name a file of criteria. The inspection panel writes one: Save criteria."));
+    if (asked.options.folder.empty()) return missing(report_, tr("Name a report folder."));
     prepare_.start(
         tr("Looking for the parts"),
         [asked, parts, criteria](const JobContext&) mutable {
@@ -216,7 +226,8 @@ void BatchDialog::tell(const Outcome<BatchResult>& outcome) {
                               .arg(failed)
                               .arg(open)
                               .arg(broken)
-                              .arg(report_->text()));
+                              .arg(report_->text().trimmed()));
+        summary_ = QDir(report_->text().trimmed()).absoluteFilePath(QStringLiteral("summary.html"));
         open_->setEnabled(result.whole);
     }
     Q_EMIT finished();

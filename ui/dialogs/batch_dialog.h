@@ -15,6 +15,7 @@
 #include "ui/task.h"
 
 class QFormLayout;
+class QToolButton;
 
 namespace lacuna {
 class ComputeDevice;
@@ -68,6 +69,8 @@ private:
 
     DeviceSource device_;
     QLineEdit *parts_ = nullptr, *criteria_ = nullptr, *report_ = nullptr, *reference_ = nullptr;
+    std::vector<QToolButton*> browse_;
+    QString summary_;  ///< of the series that ended last
     QSpinBox* jobs_;
     QCheckBox* resume_;
     QPushButton *start_, *pause_, *cancel_, *open_;

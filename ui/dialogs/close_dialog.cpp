@@ -9,8 +9,7 @@ namespace lacuna::ui {
 CloseDialog::CloseDialog(TaskList* tasks, QWidget* parent)
     : QDialog(parent),
       tasks_(tasks),
-      question_(
-          new QLabel(tr("These jobs still run. What they have not finished is lost if they are stopped now."), this)),
+      question_(new QLabel(this)),
       jobs_(new QLabel(this)),
       wait_(new QPushButton(tr("Close when they have &ended"), this)),
       stop_(new QPushButton(tr("&Stop them and close"), this)),
@@ -33,11 +32,7 @@ CloseDialog::CloseDialog(TaskList* tasks, QWidget* parent)
     jobs_->setContentsMargins(12, 0, 0, 0);
     wait_->setDefault(true);  // what costs nobody anything
     wait_->setFocus();
-    connect(wait_, &QPushButton::clicked, this, [this] {
-        wait_->setEnabled(false);
-        stay_->setFocus();
-        question_->setText(tr("The window closes as soon as these jobs have ended:"));
-    });
+    connect(wait_, &QPushButton::clicked, this, &CloseDialog::waitForJobs);
     connect(stop_, &QPushButton::clicked, this, [this] {
         accept();
         Q_EMIT closeAgreed();
@@ -56,12 +51,27 @@ CloseDialog::CloseDialog(TaskList* tasks, QWidget* parent)
     showJobs();
 }
 
+void CloseDialog::waitForJobs() {
+    waiting_ = true;
+    stay_->setFocus();
+    for (const TaskList::Row& row : tasks_->workAtStake())
+        if (row.paused()) tasks_->goOn(row.id);
+    showJobs();
+}
+
 void CloseDialog::showJobs() {
     const std::vector<TaskList::Row> rows = tasks_->workAtStake();
     if (rows.empty()) {
         if (isVisible()) ended_.start();
         return;
     }
+    const bool paused = std::any_of(rows.begin(), rows.end(), [](const TaskList::Row& row) { return row.paused(); });
+    wait_->setEnabled(!waiting_ || paused);
+    question_->setText(
+        waiting_ ? tr("The window closes as soon as these jobs have ended:")
+        : paused ? tr("These jobs have not ended; paused ones go on if the window waits for them. What they have not "
+                      "finished is lost if they are stopped now.")
+                 : tr("These jobs still run. What they have not finished is lost if they are stopped now."));
     QStringList lines;
     for (const TaskList::Row& row : rows)
         lines << (row.share < 0 ? task_text(row)

@@ -11,7 +11,7 @@
 namespace lacuna::ui {
 
 /// Asks what is to become of work that still runs when the window is to close: the window waits for it, or stops it, or
-/// stays. Shows how far the jobs are while it asks.
+/// stays. Shows how far the jobs are while it asks. Waiting lets paused jobs go on: they would never end.
 class CloseDialog final : public QDialog {
     Q_OBJECT
 public:
@@ -27,12 +27,14 @@ Q_SIGNALS:
     void closeAgreed();
 
 private:
+    void waitForJobs();
     void showJobs();
 
     TaskList* tasks_;
     QLabel *question_, *jobs_;
     QPushButton *wait_, *stop_, *stay_;
     QTimer ended_;
+    bool waiting_ = false;
 };
 
 /// Keeps a window from closing over running work without asking (CloseDialog).
