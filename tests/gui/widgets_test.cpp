@@ -287,14 +287,30 @@ TEST(MessageBar, AQuestionOutlastsWhatElseIsSaid) {
     ASSERT_EQ(bar.answerButtons().size(), 2);
     bar.answerButtons().front()->click();
     EXPECT_EQ(restored, 1);
-    EXPECT_TRUE(bar.isHidden());
+    EXPECT_EQ(bar.text(), QStringLiteral("A preset cannot be read."));
     bar.showNotice(QStringLiteral("Saved."));
     EXPECT_EQ(bar.text(), QStringLiteral("Saved."));
     EXPECT_TRUE(bar.answerButtons().isEmpty());
+    bar.dismiss();
+    EXPECT_TRUE(bar.isHidden());
     bar.ask(QStringLiteral("One?"), {{QStringLiteral("Yes"), [] {}}});
     bar.ask(QStringLiteral("Two?"), {{QStringLiteral("Yes"), [] {}}});
     EXPECT_EQ(bar.text(), QStringLiteral("Two?"));
     EXPECT_EQ(bar.answerButtons().size(), 1);
+    bar.answerButtons().front()->click();
+    EXPECT_TRUE(bar.isHidden());
+}
+
+TEST(MessageBar, AQuestionLeavesWhatWasSaidBefore) {
+    MessageBar bar;
+    bar.showError(QStringLiteral("Slice 62 of 100 is missing."));
+    bar.ask(QStringLiteral("Restore?"), {{QStringLiteral("Yes"), [] {}}, {QStringLiteral("No"), [] {}}});
+    EXPECT_TRUE(bar.text().contains(QStringLiteral("Slice 62"))) << bar.text().toStdString();
+    EXPECT_TRUE(bar.text().contains(QStringLiteral("Restore?")));
+    EXPECT_TRUE(bar.isError());
+    bar.answerButtons().back()->click();
+    EXPECT_FALSE(bar.isHidden());
+    EXPECT_EQ(bar.text(), QStringLiteral("Slice 62 of 100 is missing."));
 }
 
 // A plot of attenuation coefficients under colours for Hounsfield units: most columns lie 2^31 bins and more away.

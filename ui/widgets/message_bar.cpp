@@ -31,20 +31,30 @@ void MessageBar::showNotice(const QString& sentence, const QString& details) {
 }
 
 void MessageBar::dismiss() {
-    hide();
-    for (QPushButton* button : answers_) button->deleteLater();
+    said_.clear();
+    setToolTip({});
+    takeBackQuestion();
+}
+
+void MessageBar::takeBackQuestion() {
+    for (QPushButton* button : answers_) {
+        button->hide();
+        button->deleteLater();
+    }
     answers_.clear();
     question_.clear();
+    showWords();
 }
 
 void MessageBar::ask(const QString& sentence, const Answers& answers) {
-    dismiss();
-    showText(sentence, false);
+    takeBackQuestion();
+    if (said_.isEmpty()) error_ = false;
     question_ = sentence;
+    showWords();
     for (const auto& [text, act] : answers) {
         auto* button = new QPushButton(text, this);
         connect(button, &QPushButton::clicked, this, [this, act = act] {
-            dismiss();
+            takeBackQuestion();
             act();
         });
         row_->insertWidget(row_->count() - 1, button);  // before the one that dismisses
@@ -55,8 +65,16 @@ void MessageBar::ask(const QString& sentence, const Answers& answers) {
 void MessageBar::showText(const QString& sentence, bool error) {
     error_ = error;
     setToolTip({});  // of the message before
-    label_->setText(question_.isEmpty() ? sentence : sentence + QLatin1Char('\n') + question_);
-    show();
+    said_ = sentence;
+    showWords();
+}
+
+void MessageBar::showWords() {
+    QStringList words;
+    for (const QString& part : {said_, question_})
+        if (!part.isEmpty()) words << part;
+    if (!words.isEmpty()) label_->setText(words.join(QLatin1Char('\n')));
+    setVisible(!words.isEmpty());
     update();
 }
 

@@ -19,10 +19,10 @@ public:
     explicit MessageBar(QWidget* parent = nullptr);
     QString text() const { return label_->text(); }
     bool isError() const { return error_; }
-    /// What can be done about it, each a button; any of them closes the bar.
+    /// What can be done about it, each a button; any of them takes the question back.
     using Answers = QList<std::pair<QString, std::function<void()>>>;
     /// Asks without stopping anyone: the question stays until it is answered, dismissed or another one is asked. What
-    /// else is to be said meanwhile stands above it.
+    /// was said before, and what is to be said meanwhile, stands above it and stays when it is answered.
     void ask(const QString& sentence, const Answers& answers);
     const QList<QPushButton*>& answerButtons() const { return answers_; }
 
@@ -38,10 +38,12 @@ protected:
 
 private:
     void showText(const QString& sentence, bool error);
+    void takeBackQuestion();
+    void showWords();
     QHBoxLayout* row_;
     QLabel* label_;
     QList<QPushButton*> answers_;
-    QString question_;
+    QString said_, question_;
     bool error_ = false;
 };
 
