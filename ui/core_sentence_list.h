@@ -18,7 +18,7 @@ inline constexpr const char* k_core_sentences[] = {
     QT_TRANSLATE_NOOP(
         "CoreSentence",
         "Cannot read %1: it is neither DICOM nor named .mhd .mha .nrrd .nhdr .nii .nii.gz .tif .tiff .raw "
-        ".img .vol .dat or .vgi; give --raw if it is a raw volume."),
+        ".img .vol .dat or .vgi; if it is a raw volume, import it as one (--raw)."),
     QT_TRANSLATE_NOOP(
         "CoreSentence",
         "Cannot read %1: the DICOM header of %2 is cut short or damaged; copy or export the files again."),
@@ -166,7 +166,7 @@ inline constexpr const char* k_core_sentences[] = {
         "CoreSentence",
         "The folder %1 holds another series (other parts, criteria, options or version); name a new folder."),
     QT_TRANSLATE_NOOP("CoreSentence",
-                      "The folder %1 holds this series already; give --resume to go on with it, or name a new folder."),
+                      "The folder %1 holds this series already; go on with it (--resume), or name a new folder."),
     QT_TRANSLATE_NOOP("CoreSentence", "Cannot write %1: it is no empty folder; name a new one."),
     QT_TRANSLATE_NOOP("CoreSentence", "The reference component cannot be inspected: %1"),
     QT_TRANSLATE_NOOP("CoreSentence", "The volume holds no part: no material was found in it."),

@@ -174,7 +174,8 @@ void MainWindow::openFolder() {
 void MainWindow::openFile() {
     const QString file = file_choice::open_file(
         this, tr("Open a volume"), FileKind::volume,
-        tr("Volumes (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif *.tiff);;"
+        tr("Volumes and sessions (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif "
+           "*.tiff *.lacuna);;"
            "All files (*)"));
     if (!file.isEmpty()) openInput(file);
 }

@@ -22,7 +22,7 @@ std::optional<double> typed_number(const QString& text);
 
 /// A spin box that takes either decimal mark: the mark that is not the language's would else count as one between
 /// thousands, and 0.5 typed in German as 5.
-class NumberBox final : public QDoubleSpinBox {
+class NumberBox : public QDoubleSpinBox {
     Q_OBJECT
 public:
     using QDoubleSpinBox::QDoubleSpinBox;

@@ -21,6 +21,24 @@ namespace {
 constexpr std::uint64_t k_largest_preview = std::uint64_t(256) << 20;
 constexpr VoxelType k_types[] = {VoxelType::u8, VoxelType::i8, VoxelType::u16, VoxelType::i16, VoxelType::f32};
 
+/// A length in mm, down to picometres, with no more zeros than it has.
+class SpacingBox final : public NumberBox {
+public:
+    explicit SpacingBox(QWidget* parent) : NumberBox(parent) {
+        setDecimals(9);
+        setRange(1e-9, 1000);
+        setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    }
+    QString textFromValue(double value) const override {
+        const QString point(locale().decimalPoint());
+        QString text = NumberBox::textFromValue(value);
+        if (!text.contains(point)) return text;
+        while (text.endsWith(QLatin1Char('0'))) text.chop(1);
+        if (text.endsWith(point)) text.chop(point.size());
+        return text;
+    }
+};
+
 QString type_text(VoxelType type) {
     switch (type) {
         case VoxelType::u8:
@@ -175,9 +193,7 @@ QWidget* RawImportDialog::makeForm() {
     auto* spacing = new QHBoxLayout;
     const QString names[] = {tr("Spacing between columns"), tr("Spacing between rows"), tr("Spacing between slices")};
     for (std::size_t a = 0; a < 3; ++a) {
-        spacing_[a] = new NumberBox(box);
-        spacing_[a]->setDecimals(5);
-        spacing_[a]->setRange(0.00001, 1000);
+        spacing_[a] = new SpacingBox(box);
         spacing_[a]->setValue(1);
         spacing_[a]->setAccessibleName(names[a]);
         spacing_[a]->setToolTip(names[a]);

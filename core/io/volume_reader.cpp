@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <mutex>
@@ -131,18 +133,36 @@ ItkFormat itk_format(FileKind kind) {
     return kind == FileKind::nrrd ? ItkFormat::nrrd : ItkFormat::nifti;
 }
 
-/// A DICOM file that the extension does not tell must be one by content.
-void require_dicom(const fs::path& file) {
-    if (looks_like_dicom(file)) return;
+/// A file of other files, or a packed one, by its first bytes: ZIP, GZIP, 7z, RAR, XZ, BZIP2.
+bool looks_packed(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::array<char, 6> bytes{};
+    in.read(bytes.data(), std::streamsize(bytes.size()));
+    const std::string_view first(bytes.data(), std::size_t(in.gcount()));
+    for (const std::string_view sign :
+         {std::string_view("PK\3\4"), std::string_view("PK\5\6"), std::string_view("\x1f\x8b"),
+          std::string_view("7z\xbc\xaf\x27\x1c"), std::string_view("Rar!"), std::string_view("\xfd\x37zXZ"),
+          std::string_view("BZh")})
+        if (first.starts_with(sign)) return true;
+    return false;
+}
+
+void require_bytes(const fs::path& file) {
     std::error_code ec;
     if (fs::is_regular_file(file, ec) && fs::file_size(file, ec) == 0)
         throw Error(Errc::bad_input, "Cannot read " + file.string() + ": it is empty (0 bytes); copy it again.");
-    if (lower_case(file.extension().string()) == ".gz")
+}
+
+/// A DICOM file that the extension does not tell must be one by content.
+void require_dicom(const fs::path& file) {
+    if (looks_like_dicom(file)) return;
+    require_bytes(file);
+    if (looks_packed(file))
         throw Error(Errc::unsupported,
                     "Cannot read " + file.string() + ": of packed files only .nii.gz is read; unpack it first.");
     throw Error(Errc::bad_input, "Cannot read " + file.string() +
                                      ": it is neither DICOM nor named .mhd .mha .nrrd .nhdr .nii .nii.gz .tif .tiff "
-                                     ".raw .img .vol .dat or .vgi; give --raw if it is a raw volume.");
+                                     ".raw .img .vol .dat or .vgi; if it is a raw volume, import it as one (--raw).");
 }
 
 std::vector<fs::path> tiff_files(const fs::path& path) {
@@ -342,7 +362,9 @@ std::string format_series(const std::vector<SeriesEntry>& entries) {
 bool needs_raw_layout(const fs::path& file) {
     std::error_code ec;
     if (kind_by_name(file) != FileKind::raw || !fs::is_regular_file(file, ec)) return false;
-    return kind_of(file, {}) == FileKind::raw && !described_raw(file);
+    if (kind_of(file, {}) != FileKind::raw || described_raw(file)) return false;
+    require_bytes(file);
+    return true;
 }
 
 std::vector<SeriesEntry> list_series(const std::string& input, const JobContext& job) {

@@ -1,5 +1,6 @@
 // Ways in and out that ask first: raw files, the DICOM browser, anonymised export, DICOM servers.
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QTemporaryDir>
 
@@ -66,6 +67,50 @@ TEST_F(ImportTest, ARawFileWithoutAHeaderIsProposedShownAndOpened) {
     ASSERT_TRUE(window->documents()->hasDocument()) << window->messageBar()->text().toStdString();
     EXPECT_EQ(document().volume.geometry().size, glm::ivec3(72, 60, 48));
     EXPECT_EQ(document().options.raw, "72x60x48:" + std::string(name_of(volume.type())));
+}
+
+TEST_F(ImportTest, AnEmptyFileIsSaidAndNoLayoutAskedFor) {
+    ASSERT_TRUE(QFile::resize(file, 0));
+    QSignalSpy asked(window->loader(), &LoadController::layoutNeeded);
+    QSignalSpy finished(window->loader(), &LoadController::finished);
+    window->openInput(file);
+    ASSERT_TRUE(finished.wait(k_patience_ms));
+    EXPECT_EQ(asked.count(), 0);
+    EXPECT_TRUE(window->messageBar()->text().contains(QStringLiteral("it is empty")))
+        << window->messageBar()->text().toStdString();
+}
+
+TEST_F(ImportTest, AnArchiveIsToBeUnpackedFirst) {
+    const QString zip = folder.filePath(QStringLiteral("study.zip"));
+    QFile out(zip);
+    ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+    out.write(QByteArray("PK\3\4\x14\0\0\0", 8) + QByteArray(400, 'x'));
+    out.close();
+    QSignalSpy finished(window->loader(), &LoadController::finished);
+    window->openInput(zip);
+    ASSERT_TRUE(finished.wait(k_patience_ms));
+    EXPECT_TRUE(window->messageBar()->text().contains(QStringLiteral("unpack it first")))
+        << window->messageBar()->text().toStdString();
+}
+
+TEST_F(ImportTest, ASpacingOfMicrometresIsTakenToItsLastDigit) {
+    RawImportDialog* import = dialog();
+    ASSERT_NE(import, nullptr);
+    const QList<QDoubleSpinBox*> boxes = import->findChildren<QDoubleSpinBox*>();
+    ASSERT_EQ(boxes.size(), 3);
+    EXPECT_EQ(boxes[0]->text(), QStringLiteral("1"));
+    for (QDoubleSpinBox* box : boxes) {
+        box->setFocus();
+        box->selectAll();
+        QTest::keyClicks(box, QStringLiteral("0.0070014"));
+        QTest::keyClick(box, Qt::Key_Tab);
+        EXPECT_EQ(box->text(), QStringLiteral("0.0070014"));
+    }
+    EXPECT_EQ(import->layout().geometry.spacing, glm::dvec3(0.0070014));
+    QSignalSpy finished(window->loader(), &LoadController::finished);
+    QTest::mouseClick(import->openButton(), Qt::LeftButton);
+    ASSERT_TRUE(finished.wait(k_patience_ms));
+    EXPECT_EQ(document().volume.geometry().spacing, glm::dvec3(0.0070014)) << document().options.raw;
 }
 
 TEST_F(ImportTest, NumbersThatDoNotFitTheFileCannotBeOpened) {
