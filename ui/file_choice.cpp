@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QRegularExpression>
 
 #include "ui/kept_places.h"
 #include "ui/preferences.h"
@@ -68,8 +69,18 @@ QString open_folder(QWidget* parent, const QString& title, FileKind kind, bool t
 }
 
 QString save_file(QWidget* parent, const QString& title, FileKind kind, const QString& name, const QString& filter) {
-    const QString file =
-        QFileDialog::getSaveFileName(parent, title, QDir(start_folder(kind, true)).filePath(name), filter);
+    // The dialog itself adds the ending, so that it asks about the file that is then written.
+    QFileDialog dialog(parent, title, start_folder(kind, true), filter);
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setFileMode(QFileDialog::AnyFile);
+    dialog.setDefaultSuffix(QFileInfo(name).suffix());
+    QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&dialog](const QString& chosen) {
+        static const QRegularExpression first_ending(QStringLiteral("\\*\\.([\\w.]+)"));
+        dialog.setDefaultSuffix(first_ending.match(chosen).captured(1));
+    });
+    dialog.selectFile(name);
+    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
+    const QString file = dialog.selectedFiles().front();
     remember(kind, true, folder_of(file));
     return file;
 }

@@ -1,9 +1,16 @@
 // File dialogs begin where the last one of their kind ended, and what is remembered tells nobody of a patient.
 #include <gtest/gtest.h>
 
+#include <QAbstractButton>
+#include <QApplication>
 #include <QDir>
+#include <QFileDialog>
 #include <QFileInfo>
+#include <QLineEdit>
+#include <QMessageBox>
 #include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
 
 #include "ui/file_choice.h"
 #include "ui/kept_places.h"
@@ -48,6 +55,47 @@ TEST_F(FileChoice, TheFolderChosenInTheSettingsGoesFirst) {
     EXPECT_EQ(file_choice::start_folder(FileKind::volume, true), made("scans"));
     preferences::set_open_folder(folder.filePath(QStringLiteral("gone")));
     EXPECT_EQ(file_choice::start_folder(FileKind::volume, false), made("scans"));
+}
+
+/// Types `name` into the dialog that save_file opens, and says no where it asks whether to overwrite.
+QString saved_as(const QString& name, const QString& filter, bool& asked) {
+    asked = false;
+    QTimer driver;
+    QObject::connect(&driver, &QTimer::timeout, [&, typed = false]() mutable {
+        QWidget* modal = QApplication::activeModalWidget();
+        if (auto* question = qobject_cast<QMessageBox*>(modal)) {
+            asked = true;
+            question->button(QMessageBox::No)->click();
+        } else if (auto* dialog = qobject_cast<QFileDialog*>(modal)) {
+            if (std::exchange(typed, true)) return dialog->reject();
+            dialog->selectNameFilter(filter);
+            Q_EMIT dialog->filterSelected(filter);
+            auto* edit = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+            ASSERT_NE(edit, nullptr);
+            edit->setText(name);
+            // Not within this timer's turn: it has to tick while the dialog asks.
+            QTimer::singleShot(0, edit, [edit] { QTest::keyClick(edit, Qt::Key_Return); });
+        }
+    });
+    driver.start(50);
+    return file_choice::save_file(nullptr, QStringLiteral("Save"), FileKind::picture, QStringLiteral("turn.png"),
+                                  QStringLiteral("Pictures (*.png);;Films (*.mp4 *.webm)"));
+}
+
+TEST_F(FileChoice, ANameWithoutAnEndingGetsOneBeforeAnExistingFileIsAskedAbout) {
+    preferences::set_save_folder(made("pictures"));
+    const QDir pictures(made("pictures"));
+    const QString picture = QStringLiteral("Pictures (*.png)");
+    bool asked = false;
+    EXPECT_EQ(saved_as(QStringLiteral("a"), picture, asked), pictures.filePath(QStringLiteral("a.png")));
+    EXPECT_FALSE(asked);
+    EXPECT_EQ(saved_as(QStringLiteral("a.jpg"), picture, asked), pictures.filePath(QStringLiteral("a.jpg")));
+    EXPECT_EQ(saved_as(QStringLiteral("a"), QStringLiteral("Films (*.mp4 *.webm)"), asked),
+              pictures.filePath(QStringLiteral("a.mp4")));
+    QFile there(pictures.filePath(QStringLiteral("b.png")));
+    ASSERT_TRUE(there.open(QIODevice::WriteOnly));
+    EXPECT_EQ(saved_as(QStringLiteral("b"), picture, asked), QString());
+    EXPECT_TRUE(asked);
 }
 
 TEST_F(FileChoice, TheFileIsTheUsersAloneAndThereIsNoneWherePatientsAreHidden) {

@@ -91,11 +91,9 @@ void ColoursFeature::loadFunction(const QString& file) {
 }
 
 void ColoursFeature::askForSave() {
-    QString file = file_choice::save_file(bench_.window(), tr("Save the transfer function"), FileKind::preset,
-                                          QStringLiteral("colours.json"), tr("Transfer functions (*.json)"));
-    if (file.isEmpty()) return;
-    if (QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".json");
-    saveFunction(file);
+    const QString file = file_choice::save_file(bench_.window(), tr("Save the transfer function"), FileKind::preset,
+                                                QStringLiteral("colours.json"), tr("Transfer functions (*.json)"));
+    if (!file.isEmpty()) saveFunction(file);
 }
 
 void ColoursFeature::saveFunction(const QString& file) {

@@ -68,11 +68,9 @@ void PresetsFeature::connectGallery() {
     });
     connect(gallery_, &PresetGallery::exportRequested, this, [this](const PresetEntry& entry) {
         const QString name = QString::fromStdString(entry.name) + QStringLiteral(".json");
-        QString file = file_choice::save_file(bench_.window(), tr("Export the preset"), FileKind::preset, name,
-                                              tr("Presets (*.json)"));
-        if (file.isEmpty()) return;
-        if (!file.endsWith(QStringLiteral(".json"))) file += QStringLiteral(".json");
-        exportFile(entry, file);
+        const QString file = file_choice::save_file(bench_.window(), tr("Export the preset"), FileKind::preset, name,
+                                                    tr("Presets (*.json)"));
+        if (!file.isEmpty()) exportFile(entry, file);
     });
     connect(thumbnails_, &PresetThumbnails::drawn, gallery_, &PresetGallery::setPicture);
 }
