@@ -6307,6 +6307,14 @@
         <source>Written to %1.</source>
         <translation>Geschrieben nach %1.</translation>
     </message>
+    <message>
+        <source>Open the report</source>
+        <translation>Bericht öffnen</translation>
+    </message>
+    <message>
+        <source>The settings were changed since the part was inspected: inspect it again, then write the report.</source>
+        <translation>Die Einstellungen wurden seit der Prüfung des Teils geändert: Bitte noch einmal prüfen und dann den Bericht schreiben.</translation>
+    </message>
 </context>
 <context>
     <name>lacuna::ui::InspectionPanel</name>

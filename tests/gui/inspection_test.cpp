@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 
 #include "core/base/atomic_file.h"
+#include "core/session/session_file.h"
 #include "tests/gui/window_fixture.h"
 
 namespace lacuna::ui::test {
@@ -132,6 +133,32 @@ TEST_F(InspectionTest, OneReportDoesNotEndAnother) {
         << window->messageBar()->text().toStdString();
     for (const char* name : {"first", "second"})
         EXPECT_TRUE(QFile::exists(folder.filePath(QLatin1String(name) + QStringLiteral("/report.json")))) << name;
+}
+
+TEST_F(InspectionTest, DecisionsByHandAreNotWrittenOfOtherSettings) {
+    open(k_casting);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window->bench()->engine() != nullptr; }, k_patience_ms));
+    QTemporaryDir folder;
+    InspectionFeature* feature = window->inspection();
+    inspect();
+    panel()->decide(1, false, QStringLiteral("at the sealing face"));
+    const auto decisions_saved = [&] {
+        const QString file = folder.filePath(QStringLiteral("s.lacuna"));
+        QSignalSpy saved(window->session(), &SessionFeature::saved);
+        window->session()->saveTo(file);
+        EXPECT_TRUE(saved.wait(k_patience_ms));
+        return load_session(file.toStdString()).decisions.size();
+    };
+    EXPECT_EQ(decisions_saved(), 1u);
+    Criteria criteria = panel()->form()->criteria();
+    criteria.detection.min_voxels = 100;
+    panel()->setCriteria(criteria);
+    ASSERT_FALSE(panel()->isCurrent());
+    feature->writeReport(folder.filePath(QStringLiteral("r")));
+    EXPECT_TRUE(window->messageBar()->isError());
+    EXPECT_TRUE(window->messageBar()->text().contains(QStringLiteral("inspect it again")));
+    EXPECT_TRUE(window->bench()->tasks()->rows().empty());
+    EXPECT_EQ(decisions_saved(), 0u);
 }
 
 TEST_F(InspectionTest, AnEffectChangesThePictureAndUndoTakesItBack) {

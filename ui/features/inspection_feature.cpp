@@ -1,5 +1,10 @@
 #include "ui/features/inspection_feature.h"
 
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileInfo>
+#include <QUrl>
+
 #include "core/base/atomic_file.h"
 #include "core/inspect/report.h"
 #include "core/io/dicom_source.h"
@@ -158,8 +163,15 @@ void InspectionFeature::writeCriteria(const QString& file) {
 void InspectionFeature::write(const QString& name, const QString& done, Task<QString>::Work work) {
     writes_.start(name, std::move(work), [this, done](Outcome<QString> outcome) {
         if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
-        bench_.messages()->showNotice(done.arg(std::get<0>(outcome)));
-        Q_EMIT written(std::get<0>(outcome));
+        const QString& path = std::get<0>(outcome);
+        const QString page = QDir(path).filePath(QStringLiteral("report.html"));
+        if (QFileInfo::exists(page))
+            bench_.messages()->ask(
+                done.arg(path),
+                {{tr("Open the report"), [page] { QDesktopServices::openUrl(QUrl::fromLocalFile(page)); }}});
+        else
+            bench_.messages()->showNotice(done.arg(path));
+        Q_EMIT written(path);
     });
 }
 
@@ -171,6 +183,10 @@ void InspectionFeature::exportReport() {
 
 void InspectionFeature::writeReport(const QString& folder) {
     if (!bench_.documents()->hasDocument() || !bench_.engine()) return;
+    // What was decided by hand belongs to the defects shown, by their numbers.
+    if (!panel_->isCurrent())
+        return bench_.messages()->showError(
+            tr("The settings were changed since the part was inspected: inspect it again, then write the report."));
     InspectOptions options;
     options.input = bench_.documents()->document().input;
     options.software = "Lacuna " LACUNA_VERSION;

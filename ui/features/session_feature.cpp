@@ -169,18 +169,17 @@ void SessionFeature::save() {
 }
 
 void SessionFeature::saveAs() {
-    QString name = file_choice::save_file(bench_.window(), tr("Save the session"), FileKind::session,
-                                          QStringLiteral("session.lacuna"), session_filter());
-    if (name.isEmpty()) return;
-    if (QFileInfo(name).suffix().isEmpty()) name += QLatin1String(k_session_suffix);
-    saveTo(name);
+    const QString name = file_choice::save_file(bench_.window(), tr("Save the session"), FileKind::session,
+                                                QStringLiteral("session.lacuna"), session_filter());
+    if (!name.isEmpty()) saveTo(name);
 }
 
 Session SessionFeature::current() const {
     Session session = session_of(bench_.documents()->document(), sha256_);
     if (bench_.documents()->document().inspection) {
         session.criteria = criteria_to_json(inspection_.panel()->form()->criteria());
-        session.decisions = inspection_.panel()->judgement().by_hand;
+        // Of the settings before, they are about other defects than these criteria find.
+        if (inspection_.panel()->isCurrent()) session.decisions = inspection_.panel()->judgement().by_hand;
     }
     const Document& document = bench_.documents()->document();
     session.regions =

@@ -213,9 +213,13 @@ void InspectionPanel::showVerdict() {
     const QString word = verdict == Verdict::pass   ? tr("Pass")
                          : verdict == Verdict::fail ? tr("Fail")
                                                     : tr("Cannot tell");
-    const QString why = judgement_.reasons.empty() ? QString() : core_sentence(judgement_.reasons.front());
+    QStringList reasons;
+    for (const std::string& reason : judgement_.reasons) reasons << core_sentence(reason);
+    // The second says what was found where the first is that not all of the part was seen.
+    const QString why =
+        reasons.mid(0, 2).join(QLatin1Char('\n')).toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>"));
     verdict_->setText(stale_ ? tr("%1 (of the settings before; inspect again)").arg(word)
-                             : QStringLiteral("<b>%1</b><br>%2").arg(word, why.toHtmlEscaped()));
+                             : QStringLiteral("<b>%1</b><br>%2").arg(word, why));
     verdict_->setStyleSheet(
         stale_                     ? QStringLiteral("QLabel { padding: 6px; }")
         : verdict == Verdict::pass ? QStringLiteral("QLabel { background: #00664a; color: white; padding: 6px; }")
@@ -231,8 +235,6 @@ void InspectionPanel::showVerdict() {
     for (const std::string& warning : analysis_->part.warnings) lines << core_sentence(warning);
     facts_->setText(lines.join(QLatin1Char('\n')));
     facts_->setToolTip(facts_->text());
-    QStringList reasons;
-    for (const std::string& reason : judgement_.reasons) reasons << core_sentence(reason);
     verdict_->setToolTip(reasons.join(QLatin1Char('\n')));
 }
 
