@@ -151,6 +151,44 @@ TEST_F(SlicesTest, AnAngleIsThreeClicksAndARegionHasItsStatistics) {
         QString::number(region_statistics(document().volume, document().settings.measurements[1]).stddev, 'g', 6)));
 }
 
+TEST(FreePlace, CoversNoneOfThoseTakenWhereThereIsRoom) {
+    const QSizeF view(200, 100);
+    const QRectF wanted(20, 20, 60, 15);
+    EXPECT_EQ(free_place(wanted, {}, view), wanted);
+    std::vector<QRectF> taken;
+    for (int i = 0; i < 5; ++i) {
+        const QRectF place = free_place(wanted, taken, view);
+        for (const QRectF& other : taken) EXPECT_FALSE(place.intersects(other)) << i;
+        EXPECT_TRUE(QRectF(QPointF(), view).contains(place)) << i;
+        taken.push_back(place);
+    }
+    // At the lower edge there is room above only; beside the right edge it is pushed back into the view.
+    const QRectF low = free_place(QRectF(20, 80, 60, 15), {QRectF(20, 80, 60, 15)}, view);
+    EXPECT_LT(low.bottom(), 80);
+    EXPECT_LE(free_place(QRectF(180, 20, 60, 15), {}, view).right(), 200);
+    EXPECT_EQ(free_place(wanted, {QRectF(0, 0, 200, 100)}, view), wanted) << "no room at all";
+}
+
+TEST_F(SlicesTest, NumbersOfMeasurementsThatEndTogetherStandApart) {
+    open(k_casting);
+    SliceView* axial = window->views()->slice(SliceKind::axial);
+    std::vector<Measurement> two;
+    for (const double y : {-4.0, -6.0}) {
+        Measurement m;
+        m.id = next_measurement_id(two);
+        m.kind = MeasurementKind::distance;
+        m.right = axial->pose().frame.right;
+        m.down = axial->pose().frame.down;
+        const glm::dvec3 end = axial->toMm(QPointF(axial->width() * 0.5, axial->height() * 0.5));
+        m.points_mm = {end + m.right * y, end};
+        two.push_back(m);
+    }
+    window->bench()->edit(QStringLiteral("Measurements"), [&](ViewSettings& s) { s.measurements = two; });
+    const std::vector<SliceMeasure::Label> labels = tool()->labels(*axial, QFontMetrics(axial->font()));
+    ASSERT_EQ(labels.size(), 2u);
+    EXPECT_FALSE(labels[0].where.intersects(labels[1].where));
+}
+
 TEST_F(SlicesTest, TheKeyboardAloneMeasures) {
     open(k_casting);
     SliceView* axial = view(SliceKind::axial);

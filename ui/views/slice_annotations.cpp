@@ -55,9 +55,8 @@ int paint_scale(QPainter& painter, const QRect& inner, double pixels_per_mm) {
     const double width = length.mm * pixels_per_mm, middle = inner.center().x(), y = inner.bottom() - 3.5;
     const QFontMetrics metrics(painter.font());
     for (const bool shadow : {true, false}) {
-        painter.setPen(QPen(shadow ? QColor(0, 0, 0, 200) : theme::k_text, 1.4));
-        const QPointF off = shadow ? QPointF(1, 1) : QPointF();
-        const QPointF a = QPointF(middle - 0.5 * width, y) + off, b = QPointF(middle + 0.5 * width, y) + off;
+        painter.setPen(QPen(shadow ? QColor(0, 0, 0, 200) : theme::k_text, shadow ? 3.4 : 1.4));
+        const QPointF a(middle - 0.5 * width, y), b(middle + 0.5 * width, y);
         painter.drawLine(a, b);
         for (const QPointF& end : {a, b}) painter.drawLine(end - QPointF(0, 4), end + QPointF(0, 3));
     }
@@ -114,8 +113,11 @@ QString position_text(const glm::dvec3& mm, const glm::dvec3& direction) {
 }
 
 void draw_words(QPainter& painter, const QRectF& where, int flags, const QString& words, const QColor& ink) {
-    painter.setPen(QColor(0, 0, 0, 200));
-    painter.drawText(where.translated(1, 1), flags, words);
+    // An edge all around: the words are read over bright voxels, too, and most of them are light.
+    painter.setPen(QColor(0, 0, 0, 160));
+    for (const double dx : {-1.0, 0.0, 1.0})
+        for (const double dy : {-1.0, 0.0, 1.0})
+            if (dx != 0 || dy != 0) painter.drawText(where.translated(dx, dy), flags, words);
     painter.setPen(ink);
     painter.drawText(where, flags, words);
 }

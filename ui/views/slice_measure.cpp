@@ -45,7 +45,29 @@ std::vector<QPointF> outline(const Measurement& m, const SliceView& view) {
     return points;
 }
 
+QColor ink_of(bool chosen) { return chosen ? QColor(255, 214, 90) : QColor(120, 226, 236); }
+
 }  // namespace
+
+QRectF free_place(QRectF wanted, const std::vector<QRectF>& taken, const QSizeF& view) {
+    constexpr double k_margin = 4;
+    wanted.moveRight(std::min(wanted.right(), view.width() - k_margin));
+    wanted.moveBottom(std::min(wanted.bottom(), view.height() - k_margin));
+    const auto in_the_way = [&](const QRectF& place) {
+        return std::find_if(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(place); });
+    };
+    // Below what is in the way, else above it. Each step passes one of them, so that this ends.
+    for (const bool down : {true, false}) {
+        QRectF place = wanted;
+        for (auto other = in_the_way(place); other != taken.end(); other = in_the_way(place))
+            if (down)
+                place.moveTop(other->bottom() + 1);
+            else
+                place.moveBottom(other->top() - 1);
+        if (place.top() >= k_margin && place.bottom() <= view.height() - k_margin) return place;
+    }
+    return wanted;
+}
 
 QString measurement_title(MeasurementKind kind) {
     switch (kind) {
@@ -313,7 +335,7 @@ bool SliceMeasure::key(SliceView& view, const QKeyEvent& event) {
 void SliceMeasure::leave(SliceView&) {}
 
 void SliceMeasure::paintOne(const Measurement& m, const SliceView& view, QPainter& painter, bool chosen) const {
-    const QColor ink = chosen ? QColor(255, 214, 90) : QColor(120, 226, 236);
+    const QColor ink = ink_of(chosen);
     const std::vector<QPointF> points = outline(m, view);
     for (const bool shadow : {true, false}) {
         painter.setPen(shadow ? QPen(QColor(0, 0, 0, 170), 3.2) : QPen(ink, 1.5));
@@ -321,26 +343,32 @@ void SliceMeasure::paintOne(const Measurement& m, const SliceView& view, QPainte
     }
     painter.setBrush(chosen ? ink : QColor(0, 0, 0, 120));
     painter.setPen(QPen(ink, 1.2));
-    QRectF box;
-    for (const glm::dvec3& handle : handles_of(m)) {
-        const QPointF at = view.toWidget(handle);
-        box = box.united(QRectF(at, QSizeF(1, 1)));
-        if (chosen || !m.is_region()) painter.drawEllipse(at, 3, 3);
-    }
+    if (chosen || !m.is_region())
+        for (const glm::dvec3& handle : handles_of(m)) painter.drawEllipse(view.toWidget(handle), 3, 3);
     painter.setBrush(Qt::NoBrush);
-    const QStringList lines = words(m);
-    if (lines.isEmpty()) return;
-    const QFontMetrics metrics(painter.font());
-    // Beside the lower right end, an angle's by its vertex; pushed back into the view where it would leave it.
-    const QPointF anchor = m.kind == MeasurementKind::angle ? view.toWidget(m.points_mm[1]) : box.bottomRight();
-    int wide = 0;
-    for (const QString& line : lines) wide = std::max(wide, metrics.horizontalAdvance(line));
-    QRectF where(anchor + QPointF(8, 2), QSizeF(wide + 8, metrics.height() * lines.size() + 4));
-    where.moveRight(std::min(where.right(), view.width() - 4.0));
-    where.moveBottom(std::min(where.bottom(), view.height() - 4.0));
-    painter.fillRect(where, QColor(0, 0, 0, 120));
-    painter.setPen(ink);
-    painter.drawText(where.adjusted(4, 2, -4, -2), Qt::AlignLeft | Qt::AlignTop, lines.join(QLatin1Char('\n')));
+}
+
+std::vector<SliceMeasure::Label> SliceMeasure::labels(const SliceView& view, const QFontMetrics& metrics) const {
+    std::vector<Label> all;
+    if (volume_.empty()) return all;
+    std::vector<QRectF> taken;
+    const auto add = [&](const Measurement& m, bool chosen) {
+        if (!showsIn(m, view)) return;
+        const QStringList lines = words(m);
+        if (lines.isEmpty()) return;
+        QRectF box;
+        for (const glm::dvec3& handle : handles_of(m)) box = box.united(QRectF(view.toWidget(handle), QSizeF(1, 1)));
+        // Beside the lower right end, an angle's by its vertex.
+        const QPointF anchor = m.kind == MeasurementKind::angle ? view.toWidget(m.points_mm[1]) : box.bottomRight();
+        int wide = 0;
+        for (const QString& line : lines) wide = std::max(wide, metrics.horizontalAdvance(line));
+        const QRectF wanted(anchor + QPointF(8, 2), QSizeF(wide + 8, metrics.height() * lines.size() + 4));
+        taken.push_back(free_place(wanted, taken, view.size()));
+        all.push_back({lines.join(QLatin1Char('\n')), taken.back(), chosen});
+    };
+    for (const Measurement& m : all_) add(m, m.id == selected_);
+    if (draft_ && draft_->view == &view) add(draft_->measurement, true);
+    return all;
 }
 
 void SliceMeasure::paint(const SliceView& view, QPainter& painter) const {
@@ -349,6 +377,11 @@ void SliceMeasure::paint(const SliceView& view, QPainter& painter) const {
         if (showsIn(m, view)) paintOne(m, view, painter, m.id == selected_);
     if (draft_ && draft_->view == &view && showsIn(draft_->measurement, view))
         paintOne(draft_->measurement, view, painter, true);
+    for (const Label& label : labels(view, QFontMetrics(painter.font()))) {
+        painter.fillRect(label.where, QColor(0, 0, 0, 180));
+        painter.setPen(ink_of(label.chosen));
+        painter.drawText(label.where.adjusted(4, 2, -4, -2), Qt::AlignLeft | Qt::AlignTop, label.text);
+    }
 }
 
 }  // namespace lacuna::ui

@@ -33,6 +33,14 @@ public:
     /// What stands beside it: "12.34 mm", "45.0°", "40.2 ± 9.1 HU", ...
     QStringList words(const Measurement& m) const;
 
+    /// What is written beside the measurements a view shows, each in a place of its own.
+    struct Label {
+        QString text;
+        QRectF where;
+        bool chosen = false;
+    };
+    std::vector<Label> labels(const SliceView& view, const QFontMetrics& metrics) const;
+
     bool press(SliceView& view, const QMouseEvent& event) override;
     bool move(SliceView& view, const QMouseEvent& event) override;
     bool release(SliceView& view, const QMouseEvent& event) override;
@@ -80,6 +88,10 @@ private:
     std::uint32_t selected_ = 0;
     mutable std::map<std::uint32_t, std::pair<Measurement, RegionStatistics>> statistics_;
 };
+
+/// The place nearest to `wanted`, moved up or down within a view, that covers none of those taken; `wanted`, within the
+/// view, where there is none.
+QRectF free_place(QRectF wanted, const std::vector<QRectF>& taken, const QSizeF& view);
 
 /// Where a measurement can be taken hold of: its points, and of a shape the two other corners of its box as well.
 std::vector<glm::dvec3> handles_of(const Measurement& m);
