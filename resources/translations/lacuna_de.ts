@@ -32,7 +32,7 @@
         <translation>%1 kann nicht gelesen werden: Es ist kein DICOMDIR oder ein beschädigter; bitte den Ordner öffnen.</translation>
     </message>
     <message>
-        <source>Cannot read %1: it is neither DICOM nor named .mhd .mha .nrrd .nhdr .nii .nii.gz .tif .tiff .raw .img .vol .dat or .vgi; give --raw if it is a raw volume.</source>
+        <source>Cannot read %1: it is neither DICOM nor named .mhd .mha .nrrd .nhdr .nii .nii.gz .tif .tiff .raw .img .vol .dat or .vgi; if it is a raw volume, import it as one (--raw).</source>
         <translation>%1 kann nicht gelesen werden: Es ist kein DICOM und heißt auch nicht .mhd .mha .nrrd .nhdr .nii .nii.gz .tif .tiff .raw .img .vol .dat oder .vgi; ein rohes Volumen lässt sich über das Menü Datei importieren.</translation>
     </message>
     <message>
@@ -364,7 +364,7 @@
         <translation>Der Ordner %1 enthält eine andere Serie (andere Teile, Kriterien, Einstellungen oder Version); bitte einen neuen Ordner nennen.</translation>
     </message>
     <message>
-        <source>The folder %1 holds this series already; give --resume to go on with it, or name a new folder.</source>
+        <source>The folder %1 holds this series already; go on with it (--resume), or name a new folder.</source>
         <translation>Der Ordner %1 enthält diese Serie schon; bitte mit ihr fortfahren lassen oder einen neuen Ordner nennen.</translation>
     </message>
     <message>
@@ -4926,6 +4926,14 @@
         <source>Looking for the parts…</source>
         <translation>Die Teile werden gesucht…</translation>
     </message>
+    <message>
+        <source>Name the folder of the parts, or a list of them.</source>
+        <translation>Bitte den Ordner der Teile oder eine Liste von ihnen nennen.</translation>
+    </message>
+    <message>
+        <source>Name a file of criteria. The inspection panel writes one: Save criteria.</source>
+        <translation>Bitte eine Kriteriendatei nennen. Die Tafel Prüfung schreibt eine: Kriterien sichern.</translation>
+    </message>
 </context>
 <context>
     <name>lacuna::ui::BatchFeature</name>
@@ -5064,7 +5072,7 @@
     </message>
     <message>
         <source>&amp;Within a budget</source>
-        <translation>I&amp;n einem Spielraum</translation>
+        <translation>In einem S&amp;pielraum</translation>
     </message>
     <message>
         <source>Budget from fastest to exact</source>
@@ -5148,6 +5156,10 @@
     <message>
         <source>%1 · %2 % done</source>
         <translation>%1 · %2 % erledigt</translation>
+    </message>
+    <message>
+        <source>These jobs have not ended; paused ones go on if the window waits for them. What they have not finished is lost if they are stopped now.</source>
+        <translation>Diese Aufgaben sind nicht beendet; angehaltene laufen weiter, wenn das Fenster auf sie wartet. Was sie nicht fertiggestellt haben, geht verloren, wenn sie jetzt abgebrochen werden.</translation>
     </message>
 </context>
 <context>
@@ -6110,7 +6122,7 @@
     <name>lacuna::ui::GradientPage</name>
     <message>
         <source>O&amp;pacity by gradient</source>
-        <translation>Deckkraft nach &amp;Gradient</translation>
+        <translation>Deckkraft nach Grad&amp;ient</translation>
     </message>
     <message>
         <source>Multiplies the opacity by a factor that depends on how fast the values change: surfaces stand out, even regions fade.</source>
@@ -6798,8 +6810,8 @@
         <translation>Volumen öffnen</translation>
     </message>
     <message>
-        <source>Volumes (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif *.tiff);;All files (*)</source>
-        <translation>Volumen (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif *.tiff);;Alle Dateien (*)</translation>
+        <source>Volumes and sessions (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif *.tiff *.lacuna);;All files (*)</source>
+        <translation>Volumen und Sitzungen (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif *.tiff *.lacuna);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Lacuna</source>
@@ -6983,11 +6995,11 @@
     </message>
     <message>
         <source>&amp;Copy</source>
-        <translation>&amp;Kopieren</translation>
+        <translation>K&amp;opieren</translation>
     </message>
     <message>
         <source>E&amp;xport…</source>
-        <translation>&amp;Ausgeben…</translation>
+        <translation>Au&amp;sgeben…</translation>
     </message>
     <message>
         <source>Measurements</source>
@@ -7528,20 +7540,20 @@
         <translation>Gewählte Punkte entfernen</translation>
     </message>
     <message>
-        <source>Val&amp;ue</source>
-        <translation>&amp;Wert</translation>
+        <source>V&amp;alue</source>
+        <translation>Wer&amp;t</translation>
     </message>
     <message>
-        <source>&amp;Gradient</source>
-        <translation>&amp;Gradient</translation>
+        <source>Gradie&amp;nt</source>
+        <translation>Gradie&amp;nt</translation>
     </message>
     <message>
         <source>&amp;Opacity</source>
-        <translation>&amp;Deckkraft</translation>
+        <translation>Dec&amp;kkraft</translation>
     </message>
     <message>
-        <source>&amp;Factor</source>
-        <translation>&amp;Faktor</translation>
+        <source>Fa&amp;ctor</source>
+        <translation>Fakt&amp;or</translation>
     </message>
     <message>
         <source>Transfer function</source>
@@ -8550,12 +8562,12 @@
         <translation>Abstand der Abtastpunkte des stehenden Bilds, in Voxeln</translation>
     </message>
     <message>
-        <source>&amp;Mode</source>
-        <translation>&amp;Art</translation>
+        <source>Mo&amp;de</source>
+        <translation>A&amp;rt</translation>
     </message>
     <message>
-        <source>Iso&amp;value</source>
-        <translation>Iso&amp;wert</translation>
+        <source>&amp;Isovalue</source>
+        <translation>&amp;Isowert</translation>
     </message>
     <message>
         <source>Threshold</source>
@@ -8563,11 +8575,11 @@
     </message>
     <message>
         <source>&amp;Shading</source>
-        <translation>Be&amp;leuchtung</translation>
+        <translation>Beleu&amp;chtung</translation>
     </message>
     <message>
         <source>&amp;Quality</source>
-        <translation>&amp;Güte</translation>
+        <translation>G&amp;üte</translation>
     </message>
     <message>
         <source>Projection colours</source>
@@ -8586,8 +8598,8 @@
         <translation>Was Strahlen leeren Raum überspringen lässt; das Bild ist mit jeder dasselbe</translation>
     </message>
     <message>
-        <source>S&amp;tructure</source>
-        <translation>St&amp;ruktur</translation>
+        <source>Str&amp;ucture</source>
+        <translation>Str&amp;uktur</translation>
     </message>
     <message>
         <source>Structure</source>
@@ -8968,8 +8980,8 @@
 <context>
     <name>lacuna::ui::ShapesPage</name>
     <message>
-        <source>Draw by &amp;shapes of value and gradient</source>
-        <translation>Mit &amp;Formen aus Wert und Gradient zeichnen</translation>
+        <source>Draw &amp;by shapes of value and gradient</source>
+        <translation>Mit Forme&amp;n aus Wert und Gradient zeichnen</translation>
     </message>
     <message>
         <source>Colour…</source>
@@ -9049,10 +9061,10 @@
     </message>
     <message>
         <source>&amp;Opacity</source>
-        <translation>&amp;Deckkraft</translation>
+        <translation>Dec&amp;kkraft</translation>
     </message>
     <message>
-        <source>So&amp;ftness</source>
+        <source>Soft&amp;ness</source>
         <translation>W&amp;eichheit</translation>
     </message>
     <message>
@@ -9399,12 +9411,12 @@
         <translation>Beendet die Neigung der Schichten. Gekippt werden sie durch Ziehen eines Griffs nahe dem Ende einer Linie des Fadenkreuzes oder mit Umschalt und der linken Taste.</translation>
     </message>
     <message>
-        <source>&amp;Function</source>
-        <translation>F&amp;unktion</translation>
+        <source>Fun&amp;ction</source>
+        <translation>Fun&amp;ktion</translation>
     </message>
     <message>
         <source>S&amp;lab</source>
-        <translation>S&amp;cheibe</translation>
+        <translation>&amp;Scheibe</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -9434,8 +9446,8 @@
 <context>
     <name>lacuna::ui::SpeedPanel</name>
     <message>
-        <source>&amp;All plans</source>
-        <translation>&amp;Alle Pläne</translation>
+        <source>All pla&amp;ns</source>
+        <translation>Alle Plä&amp;ne</translation>
     </message>
     <message>
         <source>Progress of measuring</source>
@@ -9590,6 +9602,10 @@
             <numerusform>noch etwa %n min</numerusform>
         </translation>
     </message>
+    <message>
+        <source>%1 · paused</source>
+        <translation>%1 · angehalten</translation>
+    </message>
 </context>
 <context>
     <name>lacuna::ui::TransferPanel</name>
@@ -9622,8 +9638,8 @@
         <translation>Formen aus Wert und Gradient sind an: Punkte geben die Farben der Projektionen.</translation>
     </message>
     <message>
-        <source>Lo&amp;g</source>
-        <translation>Lo&amp;g</translation>
+        <source>&amp;Log</source>
+        <translation>&amp;Log</translation>
     </message>
     <message>
         <source>Whose colours are edited</source>
@@ -9670,8 +9686,8 @@
         <translation>Logarithmisches Histogramm</translation>
     </message>
     <message>
-        <source>Colour &amp;map</source>
-        <translation>Farb&amp;karte</translation>
+        <source>Colour ma&amp;p</source>
+        <translation>&amp;Farbkarte</translation>
     </message>
     <message>
         <source>Give the points the colours of a map</source>

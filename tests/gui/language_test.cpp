@@ -1,13 +1,16 @@
 // Translations are complete and fit, and the language changes while the program runs.
 #include "ui/language.h"
 
+#include <QAbstractButton>
 #include <QFile>
 #include <QLabel>
 #include <QMenuBar>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
+#include <map>
 #include <set>
 
 #include "tests/gui/window_fixture.h"
@@ -187,6 +190,30 @@ TEST_F(LanguageTest, ChangesWithoutARestartAndLosesNothing) {
     EXPECT_EQ(window()->bench()->engine(), engine);
     speak(QStringLiteral("en"));
     EXPECT_TRUE(menus().contains(QStringLiteral("View")));
+}
+
+TEST_F(LanguageTest, NoPanelTakesALetterOfTheMenuBar) {
+    const auto letter = [](const QString& text) { return QKeySequence::mnemonic(text); };
+    for (const char* code : {"de", "en"}) {
+        speak(QLatin1String(code));
+        window()->rangesPanel()->addRange();
+        std::map<QKeySequence, QString> menu;
+        for (QAction* action : window()->menuBar()->actions()) {
+            ASSERT_FALSE(letter(action->text()).isEmpty()) << action->text().toStdString();
+            EXPECT_TRUE(menu.emplace(letter(action->text()), action->text()).second) << action->text().toStdString();
+        }
+        const auto held = [&](const QWidget* widget, const QString& text) {
+            if (widget->window() != window() || letter(text).isEmpty()) return;
+            const auto taken = menu.find(letter(text));
+            EXPECT_TRUE(taken == menu.end())
+                << code << ": " << text.toStdString() << " and " << taken->second.toStdString();
+        };
+        for (const auto* label : window()->findChildren<QLabel*>())
+            if (label->buddy()) held(label, label->text());
+        for (const auto* button : window()->findChildren<QAbstractButton*>()) held(button, button->text());
+        for (const auto* tabs : window()->findChildren<QTabBar*>())
+            for (int i = 0; i < tabs->count(); ++i) held(tabs, tabs->tabText(i));
+    }
 }
 
 TEST_F(LanguageTest, GermanHasAWordForEverythingAsked) {

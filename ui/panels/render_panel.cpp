@@ -84,13 +84,13 @@ void RenderPanel::buildRows() {
         form_->addRow(name, field);
         if (QWidget* label = form_->labelForField(field)) label->setMinimumWidth(62);
     };
-    row(tr("&Mode"), mode_);
-    row(tr("Iso&value"), iso_);
+    row(tr("Mo&de"), mode_);
+    row(tr("&Isovalue"), iso_);
     row(tr("Threshold"), lmip_);
     row(QString(), by_tf_);
     row(tr("&Shading"), shading_);
     row(tr("&Quality"), quality_);
-    row(tr("S&tructure"), structure_);
+    row(tr("Str&ucture"), structure_);
     static_cast<QLabel*>(form_->labelForField(iso_))->setBuddy(iso_->slider());
 }
 

@@ -18,7 +18,7 @@ enum Kind { k_rectangle, k_trapezoid };
 
 ShapesPage::ShapesPage(QWidget* parent)
     : QWidget(parent),
-      use_(new QCheckBox(tr("Draw by &shapes of value and gradient"), this)),
+      use_(new QCheckBox(tr("Draw &by shapes of value and gradient"), this)),
       plot_(new ShapePlot(this)),
       kind_(new QComboBox(this)),
       opacity_(new NumberBox(this)),
@@ -83,7 +83,7 @@ void ShapesPage::build() {
     auto* grid = new QGridLayout;
     auto* opacity_label = new QLabel(tr("&Opacity"), this);
     opacity_label->setBuddy(opacity_);
-    auto* softness_label = new QLabel(tr("So&ftness"), this);
+    auto* softness_label = new QLabel(tr("Soft&ness"), this);
     softness_label->setBuddy(softness_);
     grid->addWidget(opacity_label, 0, 0);
     grid->addWidget(opacity_, 0, 1);

@@ -117,7 +117,7 @@ void SlicesPanel::build() {
     form->addRow(tr("&Window"), preset_);
     form->addRow(tr("Level"), level_);
     form->addRow(tr("Width"), width_);
-    form->addRow(tr("&Function"), function_);
+    form->addRow(tr("Fun&ction"), function_);
     form->addRow(tr("S&lab"), slab_mode_);
     form->addRow(tr("Thickness"), slab_);
     form->addRow(tr("Overlay"), overlay_);

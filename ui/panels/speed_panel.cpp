@@ -72,7 +72,7 @@ SpeedPanel::SpeedPanel(QWidget* parent)
       chart_(new ChartView(this)),
       table_(new QTableWidget(0, k_columns, this)),
       state_(new QLabel(this)),
-      all_(new QCheckBox(tr("&All plans"), this)) {
+      all_(new QCheckBox(tr("All pla&ns"), this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(6, 4, 6, 4);
     auto* row = new QHBoxLayout;

@@ -40,7 +40,7 @@ TransferPanel::TransferPanel(QWidget* parent)
       shapes_(new ShapesPage(this)),
       target_box_(new QComboBox(this)),
       histogram_box_(new QComboBox(this)),
-      logarithmic_(new QCheckBox(tr("Lo&g"), this)),
+      logarithmic_(new QCheckBox(tr("&Log"), this)),
       maps_(new QToolButton(this)),
       load_(new QPushButton(tr("Load…"), this)),
       save_(new QPushButton(tr("Save…"), this)) {
@@ -99,7 +99,7 @@ QWidget* TransferPanel::buildTools() {
     histogram_box_->setToolTip(tr("Counts all voxels, or those inside the cuts and ranges in use"));
     logarithmic_->setChecked(true);
     logarithmic_->setAccessibleName(tr("Logarithmic histogram"));
-    maps_->setText(tr("Colour &map"));
+    maps_->setText(tr("Colour ma&p"));
     maps_->setPopupMode(QToolButton::InstantPopup);
     maps_->setFocusPolicy(Qt::StrongFocus);
     maps_->setAccessibleName(tr("Give the points the colours of a map"));

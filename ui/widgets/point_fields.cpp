@@ -33,9 +33,9 @@ PointFields::PointFields(TransferPlot* plot, bool colors, QWidget* parent)
     remove_->setAccessibleName(tr("Remove the selected points"));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
-    auto* value_label = new QLabel(colors ? tr("Val&ue") : tr("&Gradient"), this);
+    auto* value_label = new QLabel(colors ? tr("V&alue") : tr("Gradie&nt"), this);
     value_label->setBuddy(value_);
-    auto* opacity_label = new QLabel(colors ? tr("&Opacity") : tr("&Factor"), this);
+    auto* opacity_label = new QLabel(colors ? tr("&Opacity") : tr("Fa&ctor"), this);
     opacity_label->setBuddy(opacity_);
     grid->addWidget(value_label, 0, 0);
     grid->addWidget(value_, 0, 1);
