@@ -92,7 +92,7 @@ int run(int argc, char** argv) {
     app.set_help_flag("-h,--help", "show this and leave");
     app.footer(
         "Example: lacuna render sample:casting@192 --mode iso -o casting.png\n"
-        "INPUT is a DICOM folder or file, .mhd .mha .nrrd .nhdr .nii .nii.gz, a TIFF stack, a raw file, or\n"
+        "INPUT is a DICOM folder or file, .mhd .mha .nrrd .nhdr .nii .nii.gz .hdr, a TIFF stack, a raw file, or\n"
         "sample:NAME[@SIZE] with NAME one of casting, head, vessels, spheres, marschner-lobb.\n"
         "Exit status: 0 done, 1 could not be done, 2 wrong words in the call, 3 a part did not pass,\n"
         "130 interrupted.");

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
     words.addHelpOption();
     words.addVersionOption();
     words.addPositionalArgument(QStringLiteral("INPUT"),
-                                QStringLiteral("DICOM folder or file, mhd mha nrrd nhdr nii nii.gz, TIFF, raw, or "
+                                QStringLiteral("DICOM folder or file, mhd mha nrrd nhdr nii nii.gz hdr, TIFF, raw, or "
                                                "sample:NAME[@SIZE]"),
                                 QStringLiteral("[INPUT]"));
     const QCommandLineOption device(QStringLiteral("device"),

@@ -17,7 +17,7 @@ inline constexpr const char* k_core_sentences[] = {
     QT_TRANSLATE_NOOP("CoreSentence", "Cannot read %1: it is no DICOMDIR, or a damaged one; open its folder."),
     QT_TRANSLATE_NOOP(
         "CoreSentence",
-        "Cannot read %1: it is neither DICOM nor named .mhd .mha .nrrd .nhdr .nii .nii.gz .tif .tiff .raw "
+        "Cannot read %1: it is neither DICOM nor named .mhd .mha .nrrd .nhdr .nii .nii.gz .hdr .tif .tiff .raw "
         ".img .vol .dat or .vgi; if it is a raw volume, import it as one (--raw)."),
     QT_TRANSLATE_NOOP(
         "CoreSentence",
@@ -78,7 +78,8 @@ inline constexpr const char* k_core_sentences[] = {
         "CoreSentence",
         "Cannot read %1: it has %2 values a voxel (colours or vectors); only scalar volumes can be opened."),
     QT_TRANSLATE_NOOP("CoreSentence", "Cannot read %1: it has %2 values a voxel; only scalar volumes can be opened."),
-    QT_TRANSLATE_NOOP("CoreSentence", "Cannot read %1: it is NIfTI-2; convert it to NIfTI-1."),
+    QT_TRANSLATE_NOOP("CoreSentence",
+                      "Cannot read %1: it is NIfTI-2, which is not read; save it as NIfTI-1, .nrrd or .mhd."),
     QT_TRANSLATE_NOOP("CoreSentence",
                       "Cannot read %1: its axes are not at right angles or not of unit length (deviation %2); resample "
                       "it to a rectangular grid first."),

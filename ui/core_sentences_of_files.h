@@ -71,9 +71,10 @@ inline constexpr const char* k_file_sentences[] = {
     QT_TRANSLATE_NOOP("CoreSentence",
                       "The size in '%1' is not a number of voxels; write for example sample:casting@192 or "
                       "sample:casting@256x256x128."),
-    QT_TRANSLATE_NOOP("CoreSentence",
-                      "Cannot read %1: it is raw, and neither a sidecar (.dat, .vgi, .mhd) nor its name says its size; "
-                      "give --raw WxHxD:TYPE[:SX,SY,SZ][:be][:+OFFSET]."),
+    QT_TRANSLATE_NOOP(
+        "CoreSentence",
+        "Cannot read %1: it is raw, and neither a sidecar (.dat, .vgi, .mhd, .hdr) nor its name says its size; "
+        "give --raw WxHxD:TYPE[:SX,SY,SZ][:be][:+OFFSET]."),
     QT_TRANSLATE_NOOP("CoreSentence", "%1 holds %2 volumes; choose one with --series N or --series UID:\n%3"),
     QT_TRANSLATE_NOOP("CoreSentence", "Several volumes of %1 carry the UID %2; choose one by its number:\n%3"),
     QT_TRANSLATE_NOOP("CoreSentence", "There is no series '%1' in %2; it holds one volume."),
@@ -267,14 +268,16 @@ inline constexpr const char* k_file_phrases[] = {
     QT_TRANSLATE_NOOP("CoreSentence", "its byte skip of -1 does not go with compressed voxels"),
     QT_TRANSLATE_NOOP("CoreSentence", "its byte skip is too large"),
     QT_TRANSLATE_NOOP("CoreSentence", "it is cut short, or no NIfTI file: its header needs 348 bytes"),
-    QT_TRANSLATE_NOOP("CoreSentence", "its voxels lie in another file (.img); convert it to one .nii file"),
+    QT_TRANSLATE_NOOP("CoreSentence",
+                      "it has more axes than its space; write a line \"kinds: list domain domain domain\" that says "
+                      "which one is none of space"),
     QT_TRANSLATE_NOOP("CoreSentence", "it is no NIfTI file (its magic word is missing)"),
     QT_TRANSLATE_NOOP("CoreSentence", "its number of dimensions is not within 1 to 7"),
     QT_TRANSLATE_NOOP("CoreSentence", "its bitpix %1 does not fit its datatype %2"),
     QT_TRANSLATE_NOOP(
         "CoreSentence",
         "its voxels are of datatype %1 (colours, complex or single bits); only scalar volumes can be opened"),
-    QT_TRANSLATE_NOOP("CoreSentence", "its vox_offset is %1, but must be 352 at least"),
+    QT_TRANSLATE_NOOP("CoreSentence", "its vox_offset is %1, but must be %2 at least"),
     QT_TRANSLATE_NOOP(
         "CoreSentence",
         "its axes are not at right angles, or contradict its voxel spacing; resample it to a rectangular grid first"),

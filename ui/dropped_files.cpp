@@ -43,7 +43,7 @@ Dropped dropped_input(const QStringList& files) {
     for (const QString& file : files)
         if (file.endsWith(QLatin1String(k_session_suffix))) return {file, others, false};
     for (const QString& file : files)
-        if (ends_in(file, {".mhd", ".nhdr", ".vgi", ".dat"})) {
+        if (ends_in(file, {".mhd", ".nhdr", ".hdr", ".vgi", ".dat"})) {
             const auto voxels = std::count_if(files.begin(), files.end(), [](const QString& other) {
                 return ends_in(other, {".raw", ".zraw", ".img", ".vol", ".bin", ".gz"});
             });

@@ -3,7 +3,7 @@
 #include "core/io/dicom_identity.h"
 #include "core/io/dicom_source.h"
 #include "core/io/open_limit.h"
-#include "core/io/raw_guess.h"
+#include "core/io/plain_file.h"
 #include "core/render/brick_plan.h"
 #include "ui/core_sentences.h"
 #include "ui/hidden_names.h"

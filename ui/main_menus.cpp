@@ -172,11 +172,11 @@ void MainWindow::openFolder() {
 }
 
 void MainWindow::openFile() {
-    const QString file = file_choice::open_file(
-        this, tr("Open a volume"), FileKind::volume,
-        tr("Volumes and sessions (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif "
-           "*.tiff *.lacuna);;"
-           "All files (*)"));
+    const QString file = file_choice::open_file(this, tr("Open a volume"), FileKind::volume,
+                                                tr("Volumes and sessions (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii "
+                                                   "*.nii.gz *.hdr *.raw *.img *.vol *.dat *.vgi *.tif "
+                                                   "*.tiff *.lacuna);;"
+                                                   "All files (*)"));
     if (!file.isEmpty()) openInput(file);
 }
 

@@ -15,6 +15,9 @@ namespace lacuna {
 /// The data file an .mhd names, or an empty path if the data are inside, in a list or in a pattern of files.
 std::filesystem::path meta_image_data_file(const std::filesystem::path& header);
 
+/// The header of a NIfTI pair whose voxels are in this `.img`, or an empty path where none lies beside it.
+std::filesystem::path nifti_pair_header(const std::filesystem::path& image);
+
 /// What a header says that ITK does not tell, or not right.
 struct HeaderFacts {
     std::optional<StoredVoxels> voxels;         ///< where they lie, if in one file and in binary
@@ -28,6 +31,7 @@ struct HeaderFacts {
 
 HeaderFacts check_meta_image(const std::filesystem::path& header);
 HeaderFacts check_nrrd(const std::filesystem::path& header);
+/// @param file  `.nii`, `.nii.gz`, or the `.hdr` of a pair
 HeaderFacts check_nifti(const std::filesystem::path& file);
 
 }  // namespace lacuna

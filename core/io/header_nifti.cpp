@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <memory>
 #include <string>
 
@@ -30,6 +31,9 @@ T swapped(T value) {
     return value;
 }
 
+/// The voxels lie in a file of their own, `.img` beside `.hdr`.
+bool is_pair(const nifti_1_header& h) { return std::memcmp(h.magic, "ni1", 4) == 0; }
+
 /// The header in the machine's byte order; true: it was stored the other way round.
 std::pair<nifti_1_header, bool> nifti_header(const fs::path& file) {
     nifti_1_header h{};
@@ -38,11 +42,10 @@ std::pair<nifti_1_header, bool> nifti_header(const fs::path& file) {
     if (gzread(in.get(), &h, sizeof h) != int(sizeof h))
         refuse(file, "it is cut short, or no NIfTI file: its header needs 348 bytes");
     if (h.sizeof_hdr == 540 || swapped(h.sizeof_hdr) == 540)
-        throw Error(Errc::unsupported, "Cannot read " + file.string() + ": it is NIfTI-2; convert it to NIfTI-1.");
-    if (std::memcmp(h.magic, "ni1", 4) == 0)
         throw Error(Errc::unsupported, "Cannot read " + file.string() +
-                                           ": its voxels lie in another file (.img); convert it to one .nii file.");
-    if (std::memcmp(h.magic, "n+1", 4) != 0) refuse(file, "it is no NIfTI file (its magic word is missing)");
+                                           ": it is NIfTI-2, which is not read; save it as NIfTI-1, .nrrd or .mhd.");
+    if (std::memcmp(h.magic, "n+1", 4) != 0 && !is_pair(h))
+        refuse(file, "it is no NIfTI file (its magic word is missing)");
     const bool other_order = h.dim[0] < 1 || h.dim[0] > 7;
     if (other_order) {
         for (short& d : h.dim) d = swapped(d);
@@ -73,13 +76,37 @@ StoredType nifti_type(const fs::path& file, const nifti_1_header& h) {
 }
 
 std::uint64_t nifti_offset(const fs::path& file, const nifti_1_header& h) {
-    if (h.vox_offset == 0 || std::isnan(h.vox_offset)) return 352;  // what the format asks for at least
-    if (!(h.vox_offset >= 352 && h.vox_offset < 1e15f))
-        refuse(file, "its vox_offset is " + std::to_string(h.vox_offset) + ", but must be 352 at least");
+    const int least = is_pair(h) ? 0 : 352;
+    if (h.vox_offset == 0 || std::isnan(h.vox_offset)) return std::uint64_t(least);
+    if (!(h.vox_offset >= float(least) && h.vox_offset < 1e15f))
+        refuse(file, "its vox_offset is " + std::to_string(h.vox_offset) + ", but must be " + std::to_string(least) +
+                         " at least");
     return std::uint64_t(h.vox_offset);
 }
 
+/// Where the voxels of a pair lie; `.img` where there is none, for size_or_refuse() to say so.
+fs::path image_beside(const fs::path& header) {
+    std::error_code ec;
+    for (const char* ending : {".img", ".IMG", ".img.gz"})
+        if (const fs::path image = fs::path(header).replace_extension(ending); fs::is_regular_file(image, ec))
+            return image;
+    return fs::path(header).replace_extension(".img");
+}
+
 }  // namespace
+
+fs::path nifti_pair_header(const fs::path& image) {
+    std::error_code ec;
+    for (const char* ending : {".hdr", ".HDR"}) {
+        const fs::path header = fs::path(image).replace_extension(ending);
+        nifti_1_header h{};
+        std::ifstream in(header, std::ios::binary);
+        if (in.read(reinterpret_cast<char*>(&h), sizeof h) && is_pair(h) &&
+            fs::equivalent(image_beside(header), image, ec))
+            return header;
+    }
+    return {};
+}
 
 HeaderFacts check_nifti(const fs::path& file) {
     const auto [h, other_order] = nifti_header(file);
@@ -104,13 +131,13 @@ HeaderFacts check_nifti(const fs::path& file) {
             {"The file states no orientation (neither qform nor sform): left and right cannot be "
              "known from it.",
              0});
-    const bool packed = lower_case(file.extension().string()) == ".gz";
+    const fs::path data = is_pair(h) ? image_beside(file) : file;
+    const std::uint64_t have = size_or_refuse(file, data, data.filename().string());
+    const bool packed = lower_case(data.extension().string()) == ".gz";
     const bool swap = other_order == (std::endian::native == std::endian::little);
     const std::uint64_t offset = nifti_offset(file, h);
     // Readers agree to ignore bytes behind the voxels.
-    facts.voxels = StoredVoxels{file, packed ? 0 : offset, packed ? offset : 0, need, packed, true, swap};
-    std::error_code ec;
-    const std::uint64_t have = fs::file_size(file, ec);
+    facts.voxels = StoredVoxels{data, packed ? 0 : offset, packed ? offset : 0, need, packed, true, swap};
     if (packed || have < need + offset) check_length(file, have, need + (packed ? 0 : offset), packed);
     return facts;
 }

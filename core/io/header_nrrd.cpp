@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,7 +68,7 @@ std::uint64_t behind_lines(const fs::path& header, const fs::path& data, std::ui
 }
 
 /// The texts between quotation marks, as NRRD writes units.
-std::vector<std::string> quoted(const std::string& text) {
+std::vector<std::string> quoted_texts(const std::string& text) {
     std::vector<std::string> found;
     for (std::size_t from = text.find('"'); from != std::string::npos; from = text.find('"', from)) {
         const std::size_t to = text.find('"', from + 1);
@@ -78,10 +79,40 @@ std::vector<std::string> quoted(const std::string& text) {
     return found;
 }
 
+/// A field that newer files spell in two words and older ones in one.
+std::string either(const Fields& f, const std::string& first, const std::string& second) {
+    const std::string spaced = first + " " + second;
+    return field(f, f.contains(spaced) ? spaced : first + second);
+}
+
+/// Arrays of one value a voxel may be written with axes of length 1 before the three of space. Takes those out of the
+/// fields that say something of each axis.
+void drop_leading_axes(Fields& f) {
+    const std::string stated = field(f, "sizes");
+    const auto sizes = split(stated, " \t");
+    std::size_t leading = 0;
+    while (sizes.size() > leading + 3 && sizes[leading] == "1") ++leading;
+    if (leading == 0) return;
+    for (const char* key :
+         {"sizes", "spacings", "axis mins", "axismins", "axis maxs", "axismaxs", "centerings", "centers"})
+        if (const auto found = f.find(key); found != f.end()) {
+            std::string kept;
+            const auto pieces = split(found->second, " \t");
+            for (std::size_t a = leading; a < pieces.size(); ++a) kept += std::string(pieces[a]) + " ";
+            found->second = kept;
+        }
+    if (const auto found = f.find("units"); found != f.end()) {
+        std::string kept;
+        const auto units = quoted_texts(found->second);
+        for (std::size_t a = leading; a < units.size(); ++a) kept += "\"" + units[a] + "\" ";
+        found->second = kept;
+    }
+}
+
 /// Units of length: those of space, or those of each axis where its spacing is a number alone.
 void read_nrrd_units(const fs::path& file, const Fields& f, HeaderFacts& facts) {
     const bool in_space = f.contains("space directions");
-    const auto units = quoted(field(f, in_space ? "space units" : "units"));
+    const auto units = quoted_texts(field(f, in_space ? "space units" : "units"));
     for (std::size_t a = 0; a < std::min<std::size_t>(3, units.size()); ++a) {
         if (a > 0 && units[a] == units[0]) {
             facts.mm_per_spacing[int(a)] = facts.mm_per_spacing[0];
@@ -95,11 +126,7 @@ void read_nrrd_units(const fs::path& file, const Fields& f, HeaderFacts& facts) 
 
 /// Spacing and origin by the positions of both ends (teem's "axis mins" and "axis maxs").
 void read_nrrd_ends(const fs::path& file, const Fields& f, const std::vector<std::int64_t>& sizes, HeaderFacts& facts) {
-    const auto text = [&](const char* spaced, const char* joined) {
-        return f.contains(spaced) ? field(f, spaced) : field(f, joined);
-    };
-    const auto lo = numbers_in<double>(text("axis mins", "axismins")),
-               hi = numbers_in<double>(text("axis maxs", "axismaxs"));
+    const auto lo = numbers_in<double>(either(f, "axis", "mins")), hi = numbers_in<double>(either(f, "axis", "maxs"));
     const std::size_t axes = std::min<std::size_t>(3, sizes.size());
     if (!lo || !hi || lo->size() < axes || hi->size() < axes) return warn_of_spacing(facts);
     const std::string centers = field(f, f.contains("centerings") ? "centerings" : "centers");
@@ -118,35 +145,20 @@ void read_nrrd_ends(const fs::path& file, const Fields& f, const std::vector<std
     facts.origin = origin;
 }
 
-}  // namespace
-
-HeaderFacts check_nrrd(const fs::path& file) {
-    const HeaderText header = nrrd_text(file);
+/// Where the voxels lie; nothing where they are in several files, or in an encoding that the library reads.
+std::optional<StoredVoxels> nrrd_voxels(const fs::path& file, const HeaderText& header, std::uint64_t need) {
     const Fields& f = header.fields;
-    check_spacing(file, "spacings", field(f, "spacings"));
-    const auto sizes = numbers_in<std::int64_t>(field(f, "sizes"));
-    if (!sizes || sizes->empty()) refuse(file, "its sizes '" + field(f, "sizes") + "' are no whole numbers");
-    std::uint64_t need = nrrd_type_bytes(file, field(f, "type"));
-    for (const std::int64_t n : *sizes) need = checked_bytes(file.string(), n, 1, 1, need);
-    HeaderFacts facts;
-    if (!f.contains("spacings") && !f.contains("space directions")) read_nrrd_ends(file, f, *sizes, facts);
-    read_nrrd_units(file, f, facts);
-
-    std::string named = field(f, "data file");
-    if (named.empty()) named = field(f, "datafile");
     const bool detached = f.contains("data file") || f.contains("datafile");
-    if (detached && is_list(file, named)) return facts;
+    const std::string named = either(f, "data", "file");
+    if (detached && is_list(file, named)) return std::nullopt;
     const fs::path data = detached ? file.parent_path() / named : file;
     const std::uint64_t end = detached ? size_or_refuse(file, data, named) : fs::file_size(file);
     const std::string encoding = lower_case(field(f, "encoding"));
-    const auto skips = [&](const char* spaced, const char* joined) {
-        const std::string text = f.contains(spaced) ? field(f, spaced) : field(f, joined);
-        return number_in<std::int64_t>(text).value_or(0);
-    };
-    const std::int64_t skip = skips("byte skip", "byteskip"), lines = skips("line skip", "lineskip");
+    if (encoding != "raw" && encoding != "gzip" && encoding != "gz") return std::nullopt;
+    const std::int64_t skip = number_in<std::int64_t>(either(f, "byte", "skip")).value_or(0),
+                       lines = number_in<std::int64_t>(either(f, "line", "skip")).value_or(0);
     StoredVoxels voxels{
         data, detached ? 0 : header.end, 0, need, encoding != "raw", false, lower_case(field(f, "endian")) == "big"};
-    if (encoding != "raw" && encoding != "gzip" && encoding != "gz") return facts;
     if (lines > 0) voxels.offset = behind_lines(file, data, voxels.offset, lines);
     if (voxels.packed) {
         if (skip < 0) refuse(file, "its byte skip of -1 does not go with compressed voxels");
@@ -158,7 +170,24 @@ HeaderFacts check_nrrd(const fs::path& file) {
         voxels.offset += std::min(std::uint64_t(skip), end - voxels.offset);
     }
     check_length(file, end - voxels.offset, need, voxels.packed);
-    facts.voxels = voxels;
+    return voxels;
+}
+
+}  // namespace
+
+HeaderFacts check_nrrd(const fs::path& file) {
+    HeaderText header = nrrd_text(file);
+    Fields& f = header.fields;
+    drop_leading_axes(f);
+    check_spacing(file, "spacings", field(f, "spacings"));
+    const auto sizes = numbers_in<std::int64_t>(field(f, "sizes"));
+    if (!sizes || sizes->empty()) refuse(file, "its sizes '" + field(f, "sizes") + "' are no whole numbers");
+    std::uint64_t need = nrrd_type_bytes(file, field(f, "type"));
+    for (const std::int64_t n : *sizes) need = checked_bytes(file.string(), n, 1, 1, need);
+    HeaderFacts facts;
+    if (!f.contains("spacings") && !f.contains("space directions")) read_nrrd_ends(file, f, *sizes, facts);
+    read_nrrd_units(file, f, facts);
+    facts.voxels = nrrd_voxels(file, header, need);
     return facts;
 }
 

@@ -44,6 +44,10 @@ void guarded(const fs::path& file, Fn&& fn) {
             throw Error(Errc::bad_input, "Cannot read " + file.string() +
                                              ": its axes are not at right angles, or contradict its voxel spacing; "
                                              "resample it to a rectangular grid first.");
+        if (cause.find("independent axes") != std::string::npos)
+            throw Error(Errc::unsupported, "Cannot read " + file.string() +
+                                               ": it has more axes than its space; write a line \"kinds: list domain "
+                                               "domain domain\" that says which one is none of space.");
         throw Error(Errc::bad_input, "Cannot read " + file.string() + ": it is damaged or cut short (" + cause + ").");
     } catch (const std::bad_alloc&) {
         throw Error(Errc::out_of_memory, "Cannot read " + file.string() + ": not enough memory.");
@@ -74,20 +78,24 @@ struct OpenedImage {
 GridGeometry geometry_of(const fs::path& file, const itk::ImageIOBase& io) {
     const unsigned dims = io.GetNumberOfDimensions();
     GridGeometry g;
-    for (unsigned a = 3; a < dims; ++a)
+    // Arrays of one value a voxel are written with an axis of length 1 before those of space.
+    unsigned first = 0;
+    while (dims - first > 3 && io.GetDimensions(first) == 1) ++first;
+    for (unsigned a = first + 3; a < dims; ++a)
         if (io.GetDimensions(a) > 1)
             throw Error(Errc::unsupported, "Cannot read " + file.string() + ": it holds " +
                                                std::to_string(io.GetDimensions(a)) +
                                                " volumes (time points or channels); extract one first.");
-    const unsigned used = std::min(dims, 3u);
+    const unsigned used = std::min(dims - first, 3u);
     g.size = glm::ivec3(1);
     for (unsigned a = 0; a < used; ++a) {
-        checked_bytes(file.string(), std::int64_t(io.GetDimensions(a)), 1, 1, 1);
-        g.size[int(a)] = int(io.GetDimensions(a));
-        g.spacing[int(a)] = io.GetSpacing(a);
-        g.origin[int(a)] = io.GetOrigin(a);
-        const auto axis = io.GetDirection(a);
-        for (unsigned r = 0; r < used; ++r) g.direction[int(a)][int(r)] = axis[r];
+        const unsigned from = first + a;
+        checked_bytes(file.string(), std::int64_t(io.GetDimensions(from)), 1, 1, 1);
+        g.size[int(a)] = int(io.GetDimensions(from));
+        g.spacing[int(a)] = io.GetSpacing(from);
+        g.origin[int(a)] = io.GetOrigin(from);
+        const auto axis = io.GetDirection(from);
+        for (unsigned r = 0; r < used; ++r) g.direction[int(a)][int(r)] = axis[first + r];
     }
     return g;
 }

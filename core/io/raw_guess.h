@@ -41,8 +41,4 @@ std::vector<RawGuess> guess_raw_layouts(const std::filesystem::path& file, const
 /// The layout as the words of --raw.
 std::string raw_text(const RawLayout& layout);
 
-/// True for .raw, .img and .vol files that are no DICOM and whose size neither a sidecar nor their name tells:
-/// open_volume needs --raw for them. @throws Error for a sidecar that is wrong, or an empty file
-bool needs_raw_layout(const std::filesystem::path& file);
-
 }  // namespace lacuna

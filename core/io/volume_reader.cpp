@@ -14,11 +14,8 @@
 #include "core/io/dicom_reader.h"
 #include "core/io/dicom_source.h"
 #include "core/io/grid_repair.h"
-#include "core/io/header_check.h"
-#include "core/io/itk_reader.h"
 #include "core/io/open_limit.h"
-#include "core/io/raw_guess.h"
-#include "core/io/raw_reader.h"
+#include "core/io/plain_file.h"
 #include "core/io/text_fields.h"
 #include "core/io/tiff_reader.h"
 #include "core/volume/samples.h"
@@ -53,86 +50,6 @@ std::pair<std::string, SampleOptions> sample_call(const std::string& input) {
     return {name, options};
 }
 
-enum class FileKind { dicom, meta_image, nrrd, nifti, tiff, raw, dat, vgi };
-
-std::string ending_of(const fs::path& file) {
-    const std::string name = lower_case(file.filename().string());
-    if (name.ends_with(".nii.gz")) return ".nii.gz";
-    return lower_case(file.extension().string());
-}
-
-FileKind kind_by_name(const fs::path& file) {
-    const std::string ending = ending_of(file);
-    static const std::pair<std::string_view, FileKind> k_endings[] = {
-        {".mhd", FileKind::meta_image}, {".mha", FileKind::meta_image}, {".nrrd", FileKind::nrrd},
-        {".nhdr", FileKind::nrrd},      {".nii", FileKind::nifti},      {".nii.gz", FileKind::nifti},
-        {".tif", FileKind::tiff},       {".tiff", FileKind::tiff},      {".raw", FileKind::raw},
-        {".img", FileKind::raw},        {".vol", FileKind::raw},        {".dat", FileKind::dat},
-        {".vgi", FileKind::vgi}};
-    FileKind kind = FileKind::dicom;
-    for (const auto& [text, k] : k_endings)
-        if (ending == text) kind = k;
-    return kind;
-}
-
-FileKind kind_of(const fs::path& file, const OpenOptions& options) {
-    if (!options.raw.empty()) return FileKind::raw;
-    const FileKind kind = kind_by_name(file);
-    // Scanners name DICOM files as they please, some of them .img or .dat.
-    const bool doubtful = kind == FileKind::raw || kind == FileKind::dat;
-    if (doubtful && looks_like_dicom(file)) return FileKind::dicom;
-    return kind;
-}
-
-bool same_file(const fs::path& a, const fs::path& b) {
-    std::error_code ec;
-    return fs::equivalent(a, b, ec) && !ec;
-}
-
-/// Layout of a raw file without --raw: from a sidecar beside it that names it, else from its own name. A .mhd sidecar
-/// is handed back as a path instead. Nothing where neither says it.
-struct RawSource {
-    std::optional<RawLayout> layout;
-    fs::path meta_image;
-};
-
-std::optional<RawSource> described_raw(const fs::path& file) {
-    std::error_code ec;
-    const auto beside = [&](const char* ending) { return fs::path(file).replace_extension(ending); };
-    if (fs::is_regular_file(beside(".mhd"), ec) && same_file(meta_image_data_file(beside(".mhd")), file))
-        return RawSource{std::nullopt, beside(".mhd")};
-    for (const fs::path& sidecar : {beside(".vgi"), fs::path(file.string() + ".vgi")})
-        if (fs::is_regular_file(sidecar, ec))
-            if (const RawLayout layout = read_vgi(sidecar); same_file(layout.file, file)) return RawSource{layout, {}};
-    for (const fs::path& sidecar : {beside(".dat"), fs::path(file.string() + ".dat")})
-        if (fs::is_regular_file(sidecar, ec) && !looks_like_dicom(sidecar))
-            if (const RawLayout layout = read_dat(sidecar); same_file(layout.file, file)) return RawSource{layout, {}};
-    if (auto named = raw_layout_of_name(file)) return RawSource{named, {}};
-    return std::nullopt;
-}
-
-RawSource raw_source(const fs::path& file) {
-    if (auto found = described_raw(file)) return *found;
-    throw Error(Errc::bad_input,
-                "Cannot read " + file.string() +
-                    ": it is raw, and neither a sidecar (.dat, .vgi, .mhd) nor its name says its size; "
-                    "give --raw WxHxD:TYPE[:SX,SY,SZ][:be][:+OFFSET].");
-}
-
-RawSource raw_source(const fs::path& file, FileKind kind, const OpenOptions& options) {
-    if (kind == FileKind::dat) return {read_dat(file), {}};
-    if (kind == FileKind::vgi) return {read_vgi(file), {}};
-    if (options.raw.empty()) return raw_source(file);
-    RawLayout layout = parse_raw_text(options.raw);
-    layout.file = file;
-    return {layout, {}};
-}
-
-ItkFormat itk_format(FileKind kind) {
-    if (kind == FileKind::meta_image) return ItkFormat::meta_image;
-    return kind == FileKind::nrrd ? ItkFormat::nrrd : ItkFormat::nifti;
-}
-
 /// A file of other files, or a packed one, by its first bytes: ZIP, GZIP, 7z, RAR, XZ, BZIP2.
 bool looks_packed(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -147,12 +64,6 @@ bool looks_packed(const fs::path& file) {
     return false;
 }
 
-void require_bytes(const fs::path& file) {
-    std::error_code ec;
-    if (fs::is_regular_file(file, ec) && fs::file_size(file, ec) == 0)
-        throw Error(Errc::bad_input, "Cannot read " + file.string() + ": it is empty (0 bytes); copy it again.");
-}
-
 /// A DICOM file that the extension does not tell must be one by content.
 void require_dicom(const fs::path& file) {
     if (looks_like_dicom(file)) return;
@@ -161,13 +72,9 @@ void require_dicom(const fs::path& file) {
         throw Error(Errc::unsupported,
                     "Cannot read " + file.string() + ": of packed files only .nii.gz is read; unpack it first.");
     throw Error(Errc::bad_input, "Cannot read " + file.string() +
-                                     ": it is neither DICOM nor named .mhd .mha .nrrd .nhdr .nii .nii.gz .tif .tiff "
-                                     ".raw .img .vol .dat or .vgi; if it is a raw volume, import it as one (--raw).");
-}
-
-std::vector<fs::path> tiff_files(const fs::path& path) {
-    std::error_code ec;
-    return fs::is_directory(path, ec) ? tiff_stack(path) : std::vector<fs::path>{path};
+                                     ": it is neither DICOM nor named .mhd .mha .nrrd .nhdr .nii .nii.gz .hdr .tif "
+                                     ".tiff .raw .img .vol .dat or .vgi; if it is a raw volume, import it as one "
+                                     "(--raw).");
 }
 
 SeriesEntry file_entry(const fs::path& path, glm::ivec3 size, std::vector<fs::path> files) {
@@ -178,15 +85,6 @@ SeriesEntry file_entry(const fs::path& path, glm::ivec3 size, std::vector<fs::pa
     entry.slices = size.z;
     entry.files = std::move(files);
     return entry;
-}
-
-glm::ivec3 size_of_file(const fs::path& file, FileKind kind) {
-    if (kind == FileKind::tiff) return tiff_size({file});
-    if (kind == FileKind::raw || kind == FileKind::dat || kind == FileKind::vgi) {
-        const RawSource source = raw_source(file, kind, {});
-        return source.layout ? source.layout->geometry.size : itk_volume_size(source.meta_image, ItkFormat::meta_image);
-    }
-    return itk_volume_size(file, itk_format(kind));
 }
 
 /// The series a call means: the only one, or the one --series names by number or UID.
@@ -219,7 +117,7 @@ std::string volume_files_in(const fs::path& folder) {
     std::vector<std::string> names;
     std::error_code ec;
     for (fs::directory_iterator at(folder, ec), end; !ec && at != end; at.increment(ec))
-        if (at->is_regular_file(ec) && kind_by_name(at->path()) != FileKind::dicom)
+        if (at->is_regular_file(ec) && format_by_name(at->path()) != FileFormat::dicom)
             names.push_back(at->path().filename().string());
     std::sort(names.begin(), names.end());
     std::string text;
@@ -242,10 +140,6 @@ std::vector<SeriesEntry> dicom_in_folder(const fs::path& folder, const JobContex
     return {};
 }
 
-[[noreturn]] void refuse_folder(const std::string& input) {
-    throw Error(Errc::bad_input, "Cannot read " + input + ": the folder holds no DICOM images and no TIFF slices.");
-}
-
 /// @throws Error(out_of_memory) naming both numbers
 void require_room(std::uint64_t bytes, std::uint64_t most_bytes) {
     if (bytes <= most_bytes) return;
@@ -257,24 +151,6 @@ void require_room(std::uint64_t bytes, std::uint64_t most_bytes) {
 std::uint64_t voxels_in(const glm::ivec3& size) {
     const glm::ivec3 n = glm::max(size, 0);
     return std::uint64_t(n.x) * std::uint64_t(n.y) * std::uint64_t(n.z);
-}
-
-/// Everything but DICOM and samples.
-Volume open_plain(const fs::path& path, FileKind kind, const OpenOptions& options, std::uint64_t most_bytes,
-                  const JobContext& job) {
-    if (kind == FileKind::tiff) {
-        const auto files = tiff_files(path);
-        if (files.empty()) refuse_folder(path.string());
-        if (most_bytes != k_any_size) require_room(voxels_in(tiff_size(files)), most_bytes);
-        return read_tiff(files, job);
-    }
-    const auto room = [&](std::uint64_t bytes) { require_room(bytes, most_bytes); };
-    if (kind == FileKind::meta_image || kind == FileKind::nrrd || kind == FileKind::nifti)
-        return read_itk_volume(path, itk_format(kind), job, room);
-    const RawSource source = raw_source(path, kind, options);
-    if (!source.layout) return read_itk_volume(source.meta_image, ItkFormat::meta_image, job, room);
-    room(voxels_in(source.layout->geometry.size) * size_of(source.layout->type));
-    return read_raw(*source.layout, job);
 }
 
 /// NaN and infinite voxels are kept, but nobody should be surprised by them; nor by values that single precision, which
@@ -359,14 +235,6 @@ std::string format_series(const std::vector<SeriesEntry>& entries) {
     return text;
 }
 
-bool needs_raw_layout(const fs::path& file) {
-    std::error_code ec;
-    if (kind_by_name(file) != FileKind::raw || !fs::is_regular_file(file, ec)) return false;
-    if (kind_of(file, {}) != FileKind::raw || described_raw(file)) return false;
-    require_bytes(file);
-    return true;
-}
-
 std::vector<SeriesEntry> list_series(const std::string& input, const JobContext& job) {
     if (is_sample(input)) {
         const auto [name, options] = sample_call(input);
@@ -380,8 +248,8 @@ std::vector<SeriesEntry> list_series(const std::string& input, const JobContext&
         if (files.empty()) refuse_folder(input);
         return {file_entry(path, tiff_size(files), files)};
     }
-    const FileKind kind = kind_of(path, {});
-    if (kind != FileKind::dicom) return {file_entry(path, size_of_file(path, kind), {path})};
+    const FileFormat format = format_of(path, {});
+    if (format != FileFormat::dicom) return {file_entry(path, plain_size(path, format), {path})};
     require_dicom(path);
     return find_dicom_series(path, job);
 }
@@ -394,13 +262,6 @@ void check_sample_options(const std::string& input, const OpenOptions& options) 
                                          " is made with its own grid; leave out --raw, --spacing and --series.");
 }
 
-std::optional<Volume> open_plain_in_parts(const fs::path& path, FileKind kind, const OpenOptions& options) {
-    if (kind == FileKind::meta_image || kind == FileKind::nrrd) return open_itk_volume(path, itk_format(kind));
-    if (kind != FileKind::raw && kind != FileKind::dat && kind != FileKind::vgi) return std::nullopt;
-    const RawSource source = raw_source(path, kind, options);
-    return source.layout ? open_raw(*source.layout) : open_itk_volume(source.meta_image, ItkFormat::meta_image);
-}
-
 }  // namespace
 
 std::optional<Volume> open_volume_in_parts(const std::string& input, const OpenOptions& options) {
@@ -411,7 +272,7 @@ std::optional<Volume> open_volume_in_parts(const std::string& input, const OpenO
     }
     const fs::path path = existing(input);
     if (fs::is_directory(path)) return std::nullopt;
-    std::optional<Volume> volume = open_plain_in_parts(path, kind_of(path, options), options);
+    std::optional<Volume> volume = open_plain_in_parts(path, format_of(path, options), options);
     if (!volume) return volume;
     if (options.spacing_mm) volume = with_spacing(*volume, *options.spacing_mm, input);
     volume->name = file_entry(path, {}, {}).description;
@@ -440,8 +301,8 @@ Volume open_volume_within(const std::string& input, const OpenOptions& options, 
     }
     const fs::path path = existing(input);
     const bool folder = fs::is_directory(path);
-    FileKind kind = folder ? FileKind::dicom : kind_of(path, options);
-    if (kind == FileKind::dicom) {
+    FileFormat format = folder ? FileFormat::dicom : format_of(path, options);
+    if (format == FileFormat::dicom) {
         if (!folder) require_dicom(path);
         const JobContext scan = job.part(0, 0.2);
         const auto found = folder ? dicom_in_folder(path, scan) : find_dicom_series(path, scan);
@@ -453,12 +314,14 @@ Volume open_volume_within(const std::string& input, const OpenOptions& options, 
             return options.spacing_mm ? with_spacing(volume, *options.spacing_mm, input) : volume;
         }
         if (!folder) throw Error(Errc::bad_input, "Cannot read " + input + ": this DICOM file holds no image.");
-        kind = FileKind::tiff;
+        format = FileFormat::tiff;
     }
     if (!options.series.empty() && options.series != "1")
         throw Error(Errc::bad_usage,
                     "There is no series '" + options.series + "' in " + input + "; it holds one volume.");
-    Volume volume = open_plain(path, kind, options, most_bytes, job.part(folder ? 0.2 : 0, 0.95));
+    std::function<void(std::uint64_t)> room;
+    if (most_bytes != k_any_size) room = [&](std::uint64_t bytes) { require_room(bytes, most_bytes); };
+    Volume volume = read_plain(path, format, options, room, job.part(folder ? 0.2 : 0, 0.95));
     if (options.spacing_mm) volume = with_spacing(volume, *options.spacing_mm, input);
     volume.name = file_entry(path, {}, {}).description;
     warn_of_numbers(volume, job.part(0.95, 1));
@@ -472,7 +335,7 @@ std::shared_ptr<const DicomSource> find_dicom_source(const std::string& input, c
     if (is_sample(input)) return nullptr;
     const fs::path path = existing(input);
     const bool folder = fs::is_directory(path);
-    if (!folder && kind_of(path, options) != FileKind::dicom) return nullptr;
+    if (!folder && format_of(path, options) != FileFormat::dicom) return nullptr;
     const auto found = folder ? dicom_in_folder(path, job) : find_dicom_series(path, job);
     return found.empty() ? nullptr : dicom_source_of(chosen_series(input, found, options.series), job);
 }

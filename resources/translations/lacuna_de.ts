@@ -32,8 +32,8 @@
         <translation>%1 kann nicht gelesen werden: Es ist kein DICOMDIR oder ein beschädigter; bitte den Ordner öffnen.</translation>
     </message>
     <message>
-        <source>Cannot read %1: it is neither DICOM nor named .mhd .mha .nrrd .nhdr .nii .nii.gz .tif .tiff .raw .img .vol .dat or .vgi; if it is a raw volume, import it as one (--raw).</source>
-        <translation>%1 kann nicht gelesen werden: Es ist kein DICOM und heißt auch nicht .mhd .mha .nrrd .nhdr .nii .nii.gz .tif .tiff .raw .img .vol .dat oder .vgi; ein rohes Volumen lässt sich über das Menü Datei importieren.</translation>
+        <source>Cannot read %1: it is neither DICOM nor named .mhd .mha .nrrd .nhdr .nii .nii.gz .hdr .tif .tiff .raw .img .vol .dat or .vgi; if it is a raw volume, import it as one (--raw).</source>
+        <translation>%1 kann nicht gelesen werden: Es ist kein DICOM und heißt auch nicht .mhd .mha .nrrd .nhdr .nii .nii.gz .hdr .tif .tiff .raw .img .vol .dat oder .vgi; ein rohes Volumen lässt sich über das Menü Datei importieren.</translation>
     </message>
     <message>
         <source>Cannot read %1: the DICOM header of %2 is cut short or damaged; copy or export the files again.</source>
@@ -176,8 +176,8 @@
         <translation>%1 kann nicht gelesen werden: Es gibt %2 Werte je Voxel; nur skalare Volumen können geöffnet werden.</translation>
     </message>
     <message>
-        <source>Cannot read %1: it is NIfTI-2; convert it to NIfTI-1.</source>
-        <translation>%1 kann nicht gelesen werden: Die Datei ist NIfTI-2; bitte in NIfTI-1 umwandeln.</translation>
+        <source>Cannot read %1: it is NIfTI-2, which is not read; save it as NIfTI-1, .nrrd or .mhd.</source>
+        <translation>%1 kann nicht gelesen werden: NIfTI-2 wird nicht gelesen; bitte als NIfTI-1, .nrrd oder .mhd sichern.</translation>
     </message>
     <message>
         <source>Cannot read %1: its axes are not at right angles or not of unit length (deviation %2); resample it to a rectangular grid first.</source>
@@ -756,8 +756,8 @@
         <translation>Die Größe in „%1“ ist keine Zahl von Voxeln; bitte zum Beispiel sample:casting@192 oder sample:casting@256x256x128 schreiben.</translation>
     </message>
     <message>
-        <source>Cannot read %1: it is raw, and neither a sidecar (.dat, .vgi, .mhd) nor its name says its size; give --raw WxHxD:TYPE[:SX,SY,SZ][:be][:+OFFSET].</source>
-        <translation>%1 kann nicht gelesen werden: Das Volumen ist roh, und weder eine Begleitdatei (.dat, .vgi, .mhd) noch der Name nennt die Größe; bitte über das Menü Datei importieren.</translation>
+        <source>Cannot read %1: it is raw, and neither a sidecar (.dat, .vgi, .mhd, .hdr) nor its name says its size; give --raw WxHxD:TYPE[:SX,SY,SZ][:be][:+OFFSET].</source>
+        <translation>%1 kann nicht gelesen werden: Das Volumen ist roh, und weder eine Begleitdatei (.dat, .vgi, .mhd, .hdr) noch der Name nennt die Größe; bitte über das Menü Datei importieren.</translation>
     </message>
     <message>
         <source>%1 holds %2 volumes; choose one with --series N or --series UID:
@@ -1418,8 +1418,8 @@
         <translation>Die Datei ist abgeschnitten oder kein NIfTI: Der Kopf braucht 348 Byte</translation>
     </message>
     <message>
-        <source>its voxels lie in another file (.img); convert it to one .nii file</source>
-        <translation>Die Voxel liegen in einer anderen Datei (.img); bitte in eine .nii-Datei umwandeln</translation>
+        <source>it has more axes than its space; write a line &quot;kinds: list domain domain domain&quot; that says which one is none of space</source>
+        <translation>Es gibt mehr Achsen als der Raum hat; bitte eine Zeile „kinds: list domain domain domain“ schreiben, die sagt, welche keine des Raums ist</translation>
     </message>
     <message>
         <source>it is no NIfTI file (its magic word is missing)</source>
@@ -1438,8 +1438,8 @@
         <translation>Die Voxel haben den datatype %1 (Farben, komplex oder einzelne Bit); nur skalare Volumen können geöffnet werden</translation>
     </message>
     <message>
-        <source>its vox_offset is %1, but must be 352 at least</source>
-        <translation>vox_offset ist %1, muss aber mindestens 352 sein</translation>
+        <source>its vox_offset is %1, but must be %2 at least</source>
+        <translation>vox_offset ist %1, muss aber mindestens %2 sein</translation>
     </message>
     <message>
         <source>its axes are not at right angles, or contradict its voxel spacing; resample it to a rectangular grid first</source>
@@ -6810,8 +6810,8 @@
         <translation>Volumen öffnen</translation>
     </message>
     <message>
-        <source>Volumes and sessions (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif *.tiff *.lacuna);;All files (*)</source>
-        <translation>Volumen und Sitzungen (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.raw *.img *.vol *.dat *.vgi *.tif *.tiff *.lacuna);;Alle Dateien (*)</translation>
+        <source>Volumes and sessions (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.hdr *.raw *.img *.vol *.dat *.vgi *.tif *.tiff *.lacuna);;All files (*)</source>
+        <translation>Volumen und Sitzungen (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.hdr *.raw *.img *.vol *.dat *.vgi *.tif *.tiff *.lacuna);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Lacuna</source>

@@ -1,4 +1,5 @@
 #include "core/io/raw_guess.h"
+#include "core/io/plain_file.h"
 
 #include <gtest/gtest.h>
 
