@@ -8,6 +8,7 @@
 #include "app/input_options.h"
 #include "core/base/atomic_folder.h"
 #include "core/io/dicom_anonymise.h"
+#include "core/io/folder_listing.h"
 #include "core/io/volume_writer.h"
 
 namespace lacuna::cli {
@@ -27,7 +28,7 @@ struct AnonymiseWords {
 
 /// The files an anonymised export takes: all under the input, or those of the series named.
 std::vector<std::filesystem::path> files_to_anonymise(const InputOptions& input, const Console& console) {
-    if (input.open.series.empty()) return files_under(input.input, console.job("Looking"));
+    if (input.open.series.empty()) return files_under(input.input, console.job("Looking")).files;
     for (const SeriesEntry& entry : list_series(input.input, console.job("Looking")))
         if (std::to_string(entry.number) == input.open.series || entry.uid == input.open.series) return entry.files;
     throw Error(Errc::bad_usage, "There is no series '" + input.open.series + "' in " + input.input + "; lacuna info " +

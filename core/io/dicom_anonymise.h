@@ -30,9 +30,6 @@ struct AnonymiseReport {
     std::vector<std::string> notes() const;
 };
 
-/// All files under a folder, or the one named, in the order of their names; what may not be opened is left out.
-std::vector<std::filesystem::path> files_under(const std::filesystem::path& input, const JobContext& job = {});
-
 /// Writes the images among `files` into a new folder, anonymised by the Basic Application Level Confidentiality Profile
 /// of PS3.15 Annex E (2024b), without options: every attribute of Table E.1-1 at any depth is removed, emptied,
 /// replaced or given another UID as the table says, references between the files staying whole; private attributes,

@@ -16,9 +16,9 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/io/dicom_anonymise.h"
 #include "core/io/dicom_header.h"
 #include "core/io/dicom_tags.h"
+#include "core/io/folder_listing.h"
 #include "core/io/random_access_file.h"
 #include "core/io/text_fields.h"
 #include "core/io/volume_reader.h"
@@ -147,7 +147,8 @@ Catalogue gathered(const std::vector<const Item*>& items) {
 
 Catalogue scan_folder(const fs::path& folder, const JobContext& job,
                       const std::function<void(const Catalogue&)>& found) {
-    const std::vector<fs::path> files = files_under(folder, job);
+    const FolderListing listing = files_under(folder, job);
+    const std::vector<fs::path>& files = listing.files;
     std::vector<Item> items(files.size());
     std::vector<Looked> looked(files.size(), Looked::other);
     std::vector<const Item*> images;
@@ -182,7 +183,7 @@ Catalogue scan_folder(const fs::path& folder, const JobContext& job,
     for (std::size_t i = 0; i < files.size(); ++i)
         if (looked[i] == Looked::image) images.push_back(&items[i]);
     Catalogue catalogue = gathered(images);
-    catalogue.files = int(files.size());
+    catalogue.files = int(files.size()) + listing.empty;
     catalogue.unreadable = unreadable;
     return catalogue;
 }

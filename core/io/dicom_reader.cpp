@@ -1,8 +1,6 @@
 #include "core/io/dicom_reader.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +14,7 @@
 #include "core/io/dicom_series.h"
 #include "core/io/dicom_source.h"
 #include "core/io/dicom_stack.h"
+#include "core/io/folder_listing.h"
 #include "core/io/random_access_file.h"
 
 namespace lacuna {
@@ -27,45 +26,6 @@ using namespace dicom;
 
 constexpr double k_untagged_padding_hu = -1500;  // no tissue, no air: CT values below were never measured
 constexpr std::size_t k_most_named = 8;
-
-/// What lies under an input.
-struct Listing {
-    std::vector<fs::path> files;
-    std::vector<std::string> locked;  ///< sub-folders that may not be opened
-};
-
-bool may_be_listed(const fs::path& folder) {
-    return ::faccessat(AT_FDCWD, folder.c_str(), R_OK | X_OK, AT_EACCESS) == 0;
-}
-
-/// Regular files of a folder, sub-folders included, in an order that does not depend on the file system.
-Listing files_under(const fs::path& input, const JobContext& job) {
-    std::error_code error;
-    if (fs::is_regular_file(input, error)) return {{input}, {}};
-    if (!fs::is_directory(input, error))
-        throw Error(Errc::bad_input, "There is no file or folder " + input.string() + "; check the name.",
-                    input.string());
-    if (!may_be_listed(input))
-        throw Error(Errc::io,
-                    "Cannot list the folder " + input.string() + ": permission denied; ask for the right to read it.",
-                    input.string());
-    Listing found;
-    // Links to folders are not followed: they could lead back.
-    fs::recursive_directory_iterator at(input, fs::directory_options::skip_permission_denied, error), end;
-    for (; !error && at != end; at.increment(error)) {
-        job.check();
-        std::error_code ignored;
-        if (at->is_regular_file(ignored) && at->file_size(ignored) > 0) found.files.push_back(at->path());
-        if (at->is_directory(ignored) && !at->is_symlink(ignored) && !may_be_listed(at->path()))
-            found.locked.push_back(at->path().filename().string());
-    }
-    if (error)
-        throw Error(Errc::io, "Cannot list the folder " + input.string() + ": " + error.message() + ".",
-                    input.string());
-    std::sort(found.files.begin(), found.files.end());
-    std::sort(found.locked.begin(), found.locked.end());
-    return found;
-}
 
 std::string listed(const std::vector<std::string>& names) {
     std::string text;
@@ -113,7 +73,7 @@ SeriesEntry make_entry(SeriesScan scan, int number) {
                 where);
 }
 
-std::vector<SeriesEntry> scan_files(const fs::path& input, const Listing& listing, const JobContext& job) {
+std::vector<SeriesEntry> scan_files(const fs::path& input, const FolderListing& listing, const JobContext& job) {
     const std::vector<fs::path>& paths = listing.files;
     std::vector<HeaderResult> headers(paths.size());
     parallel_for(
@@ -151,7 +111,7 @@ std::vector<SeriesEntry> scan_files(const fs::path& input, const Listing& listin
 std::shared_ptr<const SeriesScan> scan_of(const SeriesEntry& series, const JobContext& job) {
     if (series.scan) return series.scan;
     if (series.files.empty()) throw Error(Errc::bad_input, "The series names no files.");
-    auto found = scan_files(series.files.front().parent_path(), {series.files, {}}, job);
+    auto found = scan_files(series.files.front().parent_path(), {series.files}, job);
     const auto largest =
         std::max_element(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.slices < b.slices; });
     return largest->scan;

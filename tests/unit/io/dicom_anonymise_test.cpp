@@ -11,6 +11,7 @@
 #include "../../support/test_data.h"
 #include "core/io/dicom_profile.h"
 #include "core/io/dicom_tags.h"
+#include "core/io/folder_listing.h"
 #include "volume_fixture.h"
 
 using namespace lacuna;
@@ -123,7 +124,7 @@ protected:
     AnonymiseReport run(const std::string& key = "test", const std::string& out = "out") {
         AnonymiseOptions options;
         options.key = key;
-        return anonymise_dicom(files_under(folder / "in"), folder / out, options);
+        return anonymise_dicom(files_under(folder / "in").files, folder / out, options);
     }
     std::filesystem::path image(int number, const std::string& out = "out") const {
         return folder / (out + "/SE001/IM0000" + std::to_string(number) + ".dcm");
@@ -403,7 +404,7 @@ TEST_F(Anonymise, ImagesWithTextInTheirPixelsAreLeftOutOrNamed) {
     EXPECT_EQ(report.notes().size(), 2u);
     AnonymiseOptions keep;
     keep.keep_burned_in = true;
-    EXPECT_EQ(anonymise_dicom(files_under(folder / "in"), folder / "kept", keep).images, 2);
+    EXPECT_EQ(anonymise_dicom(files_under(folder / "in").files, folder / "kept", keep).images, 2);
 }
 
 TEST_F(Anonymise, TheFolderIsWrittenWholeOrNotAtAll) {
@@ -412,7 +413,8 @@ TEST_F(Anonymise, TheFolderIsWrittenWholeOrNotAtAll) {
     JobContext job{stop.get_token(), [&](double) {
                        if (++reports > 1) stop.request_stop();
                    }};
-    expect_error(Errc::cancelled, {}, [&] { anonymise_dicom(files_under(folder / "in"), folder / "out", {}, job); });
+    expect_error(Errc::cancelled, {},
+                 [&] { anonymise_dicom(files_under(folder / "in").files, folder / "out", {}, job); });
     EXPECT_FALSE(std::filesystem::exists(folder / "out"));
     EXPECT_EQ(folder.entries(), 1u);
     put_file(folder / "in/notes.txt", "no image");
@@ -424,7 +426,7 @@ TEST_F(Anonymise, TheFolderIsWrittenWholeOrNotAtAll) {
     expect_error(Errc::io, {"out"}, [&] { run(); });  // something stands there
     std::filesystem::create_directory(folder / "empty");
     expect_error(Errc::bad_input, {"no DICOM image"},
-                 [&] { anonymise_dicom(files_under(folder / "empty"), folder / "x"); });
+                 [&] { anonymise_dicom(files_under(folder / "empty").files, folder / "x"); });
 }
 
 TEST(AnonymiseTable, HoldsTheProfilesRows) {
@@ -444,7 +446,7 @@ TEST(AnonymiseTable, HoldsTheProfilesRows) {
 TEST(AnonymiseReal, EveryImageOfTheZooIsReadByPydicomAfterwards) {
     LACUNA_NEEDS_DATA(zoo, "dicom_zoo");
     ScratchFolder folder;
-    const AnonymiseReport report = anonymise_dicom(files_under(zoo), folder / "out");
+    const AnonymiseReport report = anonymise_dicom(files_under(zoo).files, folder / "out");
     EXPECT_GT(report.images, 40);
     if (std::system("/usr/bin/python3 -c 'import pydicom' 2>/dev/null") != 0)
         GTEST_SKIP() << "skipped in part: pydicom is not installed";
