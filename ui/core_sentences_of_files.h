@@ -43,8 +43,6 @@ inline constexpr const char* k_file_sentences[] = {
     QT_TRANSLATE_NOOP("CoreSentence",
                       "Cannot write the DICOM series %1: %9; nothing was written; check the space and the permissions "
                       "there, or write elsewhere."),
-    QT_TRANSLATE_NOOP("CoreSentence",
-                      "Cannot write the DICOM series %1: a slice holds at most 4294967294 bytes; write .nrrd instead."),
     QT_TRANSLATE_NOOP("CoreSentence", "The DICOM source names no image."),
     QT_TRANSLATE_NOOP("CoreSentence", "The DICOM segmentation cannot be made: %9 was refused (%1)."),
     QT_TRANSLATE_NOOP("CoreSentence", "The DICOM report cannot be made: %9 was refused (%1)."),

@@ -147,7 +147,6 @@ inline constexpr const char* k_work_phrases[] = {
     QT_TRANSLATE_NOOP("CoreSentence", "is more than can be counted"),
     QT_TRANSLATE_NOOP("CoreSentence", "is above 100 percent"),
     QT_TRANSLATE_NOOP("CoreSentence", "must be a whole number"),
-    QT_TRANSLATE_NOOP("CoreSentence", "is more than can be counted"),
     QT_TRANSLATE_NOOP("CoreSentence", "must be [[x, y, z], [x, y, z]]: the smallest corner, then the largest, in mm"),
     QT_TRANSLATE_NOOP("CoreSentence", "has lo >= hi along %1; the smallest corner comes first"),
     QT_TRANSLATE_NOOP("CoreSentence", "must be a list [ ... ]"),

@@ -3330,14 +3330,6 @@
         <translation>Das Volumen ist ein Voxel dick.</translation>
     </message>
     <message>
-        <source>Cannot write the DICOM series %1: a slice holds at most 4294967294 bytes; write .nrrd instead.</source>
-        <translation>Die DICOM-Serie %1 kann nicht geschrieben werden: Eine Schicht fasst höchstens 4294967294 Byte; bitte stattdessen .nrrd schreiben.</translation>
-    </message>
-    <message>
-        <source>is more than can be counted</source>
-        <translation>ist mehr, als sich zählen lässt</translation>
-    </message>
-    <message>
         <source>%1: %2/255 from brute force over the whole view and %3 ms a frame, both measured (error budget %4, time budget %5).</source>
         <translation>%1: %2/255 Abweichung von Brute Force über die ganze Ansicht und %3 ms je Bild, beides gemessen (Fehlerbudget %4, Zeitbudget %5).</translation>
     </message>
