@@ -160,6 +160,25 @@ TEST(BlocksOf, RaysAcrossTheAxisOfTheirGroupGiveTheSamePicture) {
         }
 }
 
+/// Steps so long that a packet's rays may have no sample in a slab between two in which they have some.
+TEST(BlocksOf, SlabsWithoutASampleAreNone) {
+    LACUNA_NEEDS_DEVICE();
+    const Volume head = make_sample("head", {.dims = {37, 52, 41}}).volume;
+    for (const double step : {10.0, 17.0, 40.0})
+        for (int i = 0; i < 24; ++i) {
+            Scene scene = test::small_scene(head, i % 2 ? ViewMode::ea : ViewMode::mip, {33, 31});
+            scene.camera.azimuth_deg = -133.31 + 31 * i;
+            scene.camera.elevation_deg = 63.6 - 7 * i;
+            scene.camera.zoom = 0.2;
+            scene.camera.fov_deg = 60;
+            scene.cuts = {{{0, -0.42, -0.18}, -0.1, false}};
+            Plan plan = plan_of(Structure::none);
+            plan.step = step;
+            SCOPED_TRACE(i);
+            expect_same_picture(scene, plan);
+        }
+}
+
 TEST(BlocksOf, SamplesAreCopiedOnceForManyRays) {
     LACUNA_NEEDS_DEVICE();
     const Volume head = make_sample("head", {.size = 64}).volume;
