@@ -5204,10 +5204,6 @@
         <source>Saving the transfer function</source>
         <translation>Transferfunktion sichern</translation>
     </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
-    </message>
 </context>
 <context>
     <name>lacuna::ui::CommandPalette</name>
@@ -6091,16 +6087,19 @@
         <translation>Volumen wird gesichert</translation>
     </message>
     <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
-    </message>
-    <message>
         <source>A picture&apos;s name ends in .png, .tif or .tiff.</source>
         <translation>Der Name eines Bildes endet auf .png, .tif oder .tiff.</translation>
     </message>
     <message>
         <source>The picture could not be packed: %1.</source>
         <translation>Das Bild konnte nicht gepackt werden: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>lacuna::ui::FileWrites</name>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
     </message>
 </context>
 <context>
@@ -6306,10 +6305,6 @@
     <message>
         <source>Saving the criteria</source>
         <translation>Kriterien sichern</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
     </message>
     <message>
         <source>Open the report</source>
@@ -6973,10 +6968,6 @@
     <message>
         <source>Writing the measurements</source>
         <translation>Schreiben der Messungen</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
     </message>
 </context>
 <context>
@@ -7702,8 +7693,16 @@
         <translation>Vorgabe exportieren</translation>
     </message>
     <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
+        <source>Saving the preset</source>
+        <translation>Vorgabe sichern</translation>
+    </message>
+    <message>
+        <source>Renaming the preset</source>
+        <translation>Vorgabe umbenennen</translation>
+    </message>
+    <message>
+        <source>Deleting the preset</source>
+        <translation>Vorgabe löschen</translation>
     </message>
 </context>
 <context>
@@ -8303,10 +8302,6 @@
         <source>Writing the region table</source>
         <translation>Schreiben der Regionentabelle</translation>
     </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
-    </message>
 </context>
 <context>
     <name>lacuna::ui::RegionsPanel</name>
@@ -8710,6 +8705,10 @@
     <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>The session&apos;s data is not where it was. What is open stays open.</source>
+        <translation>Die Daten der Sitzung liegen nicht mehr dort, wo sie waren. Was offen ist, bleibt offen.</translation>
     </message>
 </context>
 <context>

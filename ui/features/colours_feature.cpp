@@ -8,13 +8,8 @@
 namespace lacuna::ui {
 
 ColoursFeature::ColoursFeature(Workbench& bench, TransferPanel* colours, RangesPanel* ranges, QTabWidget* tabs)
-    : QObject(&bench),
-      bench_(bench),
-      colours_(colours),
-      ranges_(ranges),
-      tabs_(tabs),
-      read_(this),
-      writes_(this, bench.tasks()) {
+    : QObject(&bench), bench_(bench), colours_(colours), ranges_(ranges), tabs_(tabs), read_(this), writes_(bench) {
+    connect(&writes_, &FileWrites::written, this, &ColoursFeature::written);
     DocumentController* documents = bench.documents();
     connect(documents, &DocumentController::opened, this, [this, documents] {
         read_.cancel();  // it was to colour other data
@@ -97,17 +92,9 @@ void ColoursFeature::askForSave() {
 }
 
 void ColoursFeature::saveFunction(const QString& file) {
-    writes_.start(
-        tr("Saving the transfer function"),
-        [function = colours_->function(), file](const JobContext&) {
-            save_transfer_function(function, file.toStdString());
-            return file;
-        },
-        [this](Outcome<QString> outcome) {
-            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
-            bench_.messages()->showNotice(tr("Written to %1.").arg(std::get<0>(outcome)));
-            Q_EMIT written(std::get<0>(outcome));
-        });
+    writes_.start(tr("Saving the transfer function"), file, [function = colours_->function(), file](const JobContext&) {
+        save_transfer_function(function, file.toStdString());
+    });
 }
 
 }  // namespace lacuna::ui

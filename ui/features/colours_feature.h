@@ -3,9 +3,10 @@
 #include <QObject>
 #include <QTabWidget>
 
+#include "ui/file_writes.h"
+#include "ui/latest_job.h"
 #include "ui/panels/ranges_panel.h"
 #include "ui/panels/transfer_panel.h"
-#include "ui/tasks.h"
 #include "ui/workbench.h"
 
 namespace lacuna::ui {
@@ -36,7 +37,7 @@ private:
     RangesPanel* ranges_;
     QTabWidget* tabs_;
     LatestJob<TransferFunction> read_;
-    Tasks<QString> writes_;
+    FileWrites writes_;
 };
 
 }  // namespace lacuna::ui

@@ -35,7 +35,8 @@ QByteArray encoded(const QImage& image, const QString& file) {
 
 }  // namespace
 
-ExportFeature::ExportFeature(Workbench& bench) : QObject(&bench), bench_(bench), jobs_(this, bench.tasks()) {
+ExportFeature::ExportFeature(Workbench& bench) : QObject(&bench), bench_(bench), writes_(bench) {
+    connect(&writes_, &FileWrites::written, this, &ExportFeature::written);
     buildMenu();
 }
 
@@ -96,7 +97,7 @@ void ExportFeature::askPicture(bool annotated) {
 void ExportFeature::savePicture(const QString& file, bool annotated) { writePicture(picture(annotated), file); }
 
 void ExportFeature::writePicture(const QImage& image, const QString& file) {
-    run(tr("Saving the picture"), file, [image, file](const JobContext&) {
+    writes_.start(tr("Saving the picture"), file, [image, file](const JobContext&) {
         const QByteArray bytes = encoded(image, file);
         write_file(file.toStdString(), {bytes.constData(), std::size_t(bytes.size())});
     });
@@ -118,38 +119,25 @@ void ExportFeature::saveTurntable(const QString& file, int frames) {
         table.budget = Budget{quality.error_budget, quality.time_budget_ms, quality.step};
     table.frames = frames;
     table.file = file;
-    run(tr("Drawing a turntable"), file,
-        [table, engine = bench_.engine()](const JobContext& job) { write_turntable(table, *engine, job); });
+    writes_.start(tr("Drawing a turntable"), file,
+                  [table, engine = bench_.engine()](const JobContext& job) { write_turntable(table, *engine, job); });
 }
 
 void ExportFeature::saveMesh(const QString& file) {
     if (!bench_.documents()->hasDocument()) return;
     const Document& document = bench_.documents()->document();
-    run(tr("Saving the surface"), file,
-        [volume = document.volume, iso = document.settings.iso, file](const JobContext& job) {
-            write_mesh(iso_mesh(volume, iso, job), file.toStdString());
-        });
+    writes_.start(tr("Saving the surface"), file,
+                  [volume = document.volume, iso = document.settings.iso, file](const JobContext& job) {
+                      write_mesh(iso_mesh(volume, iso, job), file.toStdString());
+                  });
 }
 
 void ExportFeature::saveVolume(const QString& file) {
     if (!bench_.documents()->hasDocument()) return;
-    run(tr("Saving the volume"), file, [volume = bench_.documents()->document().volume, file](const JobContext& job) {
-        write_volume(volume, file.toStdString(), job);
-    });
-}
-
-void ExportFeature::run(const QString& name, const QString& file, std::function<void(const JobContext&)> work) {
-    jobs_.start(
-        name,
-        [work = std::move(work), file](const JobContext& job) {
-            work(job);
-            return file;
-        },
-        [this](Outcome<QString> outcome) {
-            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
-            bench_.messages()->showNotice(tr("Written to %1.").arg(std::get<0>(outcome)));
-            Q_EMIT written(std::get<0>(outcome));
-        });
+    writes_.start(tr("Saving the volume"), file,
+                  [volume = bench_.documents()->document().volume, file](const JobContext& job) {
+                      write_volume(volume, file.toStdString(), job);
+                  });
 }
 
 }  // namespace lacuna::ui

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/tasks.h"
+#include "ui/file_writes.h"
 #include "ui/workbench.h"
 
 namespace lacuna::ui {
@@ -32,11 +32,9 @@ private:
     void buildMenu();
     void askPicture(bool annotated);
     void writePicture(const QImage& image, const QString& file);
-    /// Runs a job that writes a file and says where it stands.
-    void run(const QString& name, const QString& file, std::function<void(const JobContext&)> work);
 
     Workbench& bench_;
-    Tasks<QString> jobs_;
+    FileWrites writes_;
 };
 
 }  // namespace lacuna::ui

@@ -2,7 +2,6 @@
 
 #include <QDesktopServices>
 #include <QDir>
-#include <QFileInfo>
 #include <QUrl>
 
 #include "core/base/atomic_file.h"
@@ -20,8 +19,9 @@ InspectionFeature::InspectionFeature(Workbench& bench)
       dock_(bench.addDock(QStringLiteral("inspection"), tr("Inspection"), panel_, Qt::BottomDockWidgetArea)),
       analyse_(this, bench.tasks()),
       gather_(this),
-      writes_(this, bench.tasks()),
+      writes_(bench),
       read_(this) {
+    connect(&writes_, &FileWrites::written, this, &InspectionFeature::written);
     bench.needDocument(panel_);
     QMenu* tools = bench.menu(Workbench::Menu::tools);
     offer_tool(bench.add(tools, tr("&Inspect the part"), QKeySequence(QStringLiteral("Ctrl+I")), this,
@@ -153,25 +153,8 @@ void InspectionFeature::saveCriteria() {
 }
 
 void InspectionFeature::writeCriteria(const QString& file) {
-    write(tr("Saving the criteria"), tr("Written to %1."),
-          [criteria = panel_->form()->criteria(), file](const JobContext&) {
-              write_file(file.toStdString(), criteria_to_json(criteria) + "\n");
-              return file;
-          });
-}
-
-void InspectionFeature::write(const QString& name, const QString& done, Task<QString>::Work work) {
-    writes_.start(name, std::move(work), [this, done](Outcome<QString> outcome) {
-        if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
-        const QString& path = std::get<0>(outcome);
-        const QString page = QDir(path).filePath(QStringLiteral("report.html"));
-        if (QFileInfo::exists(page))
-            bench_.messages()->ask(
-                done.arg(path),
-                {{tr("Open the report"), [page] { QDesktopServices::openUrl(QUrl::fromLocalFile(page)); }}});
-        else
-            bench_.messages()->showNotice(done.arg(path));
-        Q_EMIT written(path);
+    writes_.start(tr("Saving the criteria"), file, [criteria = panel_->form()->criteria(), file](const JobContext&) {
+        write_file(file.toStdString(), criteria_to_json(criteria) + "\n");
     });
 }
 
@@ -193,15 +176,18 @@ void InspectionFeature::writeReport(const QString& folder) {
     options.by_hand = panel_->judgement().by_hand;
     const Volume volume = bench_.documents()->document().volume;
     const Criteria criteria = panel_->form()->criteria();
-    write(tr("Writing the report"), tr("The report stands in %1."),
-          [volume, criteria, options, folder, engine = bench_.engine()](const JobContext& job) mutable {
-              if (volume.dicom) options.source = find_dicom_source(options.input, {}, job);
-              const std::filesystem::path path = folder.toStdString();
-              check_report_folder(path);
-              const std::vector<ZoneMask> zones = lay_zones(criteria, volume.geometry(), job);
-              write_report(inspect_part(volume, criteria, zones, *engine, options, job), volume, path, job);
-              return folder;
-          });
+    writes_.start(tr("Writing the report"), folder,
+                  [volume, criteria, options, folder, engine = bench_.engine()](const JobContext& job) mutable {
+                      if (volume.dicom) options.source = find_dicom_source(options.input, {}, job);
+                      const std::filesystem::path path = folder.toStdString();
+                      check_report_folder(path);
+                      const std::vector<ZoneMask> zones = lay_zones(criteria, volume.geometry(), job);
+                      write_report(inspect_part(volume, criteria, zones, *engine, options, job), volume, path, job);
+                  },
+                  tr("The report stands in %1."),
+                  {{tr("Open the report"), [page = QDir(folder).filePath(QStringLiteral("report.html"))] {
+                        QDesktopServices::openUrl(QUrl::fromLocalFile(page));
+                    }}});
 }
 
 }  // namespace lacuna::ui

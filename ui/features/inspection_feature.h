@@ -2,8 +2,9 @@
 
 #include <vector>
 
+#include "ui/file_writes.h"
 #include "ui/panels/inspection_panel.h"
-#include "ui/tasks.h"
+#include "ui/task.h"
 #include "ui/workbench.h"
 
 namespace lacuna::ui {
@@ -39,8 +40,6 @@ private:
     void loadCriteria();
     void saveCriteria();
     void exportReport();
-    /// @param done  what is said when it stands, with %1 for where
-    void write(const QString& name, const QString& done, Task<QString>::Work work);
 
     using Analysis = std::shared_ptr<const PartAnalysis>;
     using Highlights = std::shared_ptr<const std::vector<Highlight>>;
@@ -50,7 +49,7 @@ private:
     QDockWidget* dock_;
     Task<Analysis> analyse_;
     LatestJob<Highlights> gather_;
-    Tasks<QString> writes_;
+    FileWrites writes_;
     LatestJob<Criteria> read_;
 };
 

@@ -22,7 +22,7 @@ MeasureFeature::MeasureFeature(Workbench& bench)
       tool_(new SliceMeasure(this)),
       panel_(new MeasurePanel(bench.window())),
       dock_(bench.addDock(QStringLiteral("measurements"), tr("Measurements"), panel_, Qt::BottomDockWidgetArea)),
-      writes_(this, bench.tasks()) {
+      writes_(bench) {
     bench.needDocument(panel_);
     buildMenu();
     for (SliceView* slice : bench.views()->slices()) {
@@ -164,16 +164,10 @@ void MeasureFeature::exportTable() {
                                                 QStringLiteral("measurements.csv"), tr("Tables (*.csv)"));
     if (file.isEmpty()) return;
     const Document& document = bench_.documents()->document();
-    writes_.start(
-        tr("Writing the measurements"),
-        [volume = document.volume, all = document.settings.measurements, file](const JobContext& job) {
-            write_file(file.toStdString(), measurements_to_csv(volume, all, job));
-            return file;
-        },
-        [this](Outcome<QString> outcome) {
-            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
-            bench_.messages()->showNotice(tr("Written to %1.").arg(std::get<0>(outcome)));
-        });
+    writes_.start(tr("Writing the measurements"), file,
+                  [volume = document.volume, all = document.settings.measurements, file](const JobContext& job) {
+                      write_file(file.toStdString(), measurements_to_csv(volume, all, job));
+                  });
 }
 
 }  // namespace lacuna::ui

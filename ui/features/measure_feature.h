@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ui/file_writes.h"
 #include "ui/panels/measure_panel.h"
-#include "ui/tasks.h"
 #include "ui/views/slice_measure.h"
 #include "ui/workbench.h"
 
@@ -39,7 +39,7 @@ private:
     QDockWidget* dock_;
     QActionGroup* kinds_ = nullptr;
     QAction* remove_ = nullptr;
-    Tasks<QString> writes_;
+    FileWrites writes_;
 };
 
 }  // namespace lacuna::ui

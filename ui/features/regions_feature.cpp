@@ -13,7 +13,7 @@ RegionsFeature::RegionsFeature(Workbench& bench)
       dock_(bench.addDock(QStringLiteral("regions"), tr("Regions"), panel_, Qt::BottomDockWidgetArea)),
       find_(this, bench.tasks()),
       gather_(this),
-      write_(this, bench.tasks()) {
+      writes_(bench) {
     bench.needDocument(panel_);
     offer_tool(bench.add(bench.menu(Workbench::Menu::tools), tr("Compute re&gions"),
                          QKeySequence(QStringLiteral("Ctrl+R")), this, &RegionsFeature::compute),
@@ -104,18 +104,13 @@ void RegionsFeature::exportTable() {
     const QString file = file_choice::save_file(bench_.window(), tr("Export the region table"), FileKind::table,
                                                 QStringLiteral("regions.csv"), tr("Tables (*.csv)"));
     if (file.isEmpty()) return;
-    write_.start(
-        tr("Writing the region table"),
+    writes_.start(
+        tr("Writing the region table"), file,
         [volume = documents->document().volume, table = documents->document().regions, file](const JobContext& job) {
             // The panel shows what the voxels tell; the file also holds what surfaces and distances do.
             RegionTable measured = *table;
             measure_surfaces(volume, measured, job);
             write_file(file.toStdString(), regions_to_csv(measured));
-            return file;
-        },
-        [this](Outcome<QString> outcome) {
-            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
-            bench_.messages()->showNotice(tr("Written to %1.").arg(std::get<0>(outcome)));
         });
 }
 

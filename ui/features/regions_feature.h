@@ -2,8 +2,9 @@
 
 #include <functional>
 
+#include "ui/file_writes.h"
 #include "ui/panels/regions_panel.h"
-#include "ui/tasks.h"
+#include "ui/task.h"
 #include "ui/workbench.h"
 
 namespace lacuna::ui {
@@ -38,7 +39,7 @@ private:
     QDockWidget* dock_;
     Task<std::shared_ptr<const RegionTable>> find_;
     LatestJob<std::shared_ptr<const Highlight>> gather_;
-    Tasks<QString> write_;
+    FileWrites writes_;
 };
 
 }  // namespace lacuna::ui
