@@ -60,6 +60,11 @@ std::vector<PresetEntry> list_presets(const fs::path& folder) {
     return all;
 }
 
+bool owns_preset(const fs::path& folder, const std::string& name) {
+    const std::vector<PresetEntry> own = own_presets(folder);
+    return std::any_of(own.begin(), own.end(), [&](const PresetEntry& entry) { return entry.name == name; });
+}
+
 PresetFile preset_for(const PresetEntry& entry, const Volume& volume, const VolumeStatistics& statistics) {
     if (entry.built_in()) return {make_preset(entry.name, volume, statistics), technique_of_preset(entry.name)};
     if (!entry.preset) throw Error(Errc::bad_input, entry.fault, entry.file.string());

@@ -26,6 +26,9 @@ std::vector<PresetEntry> list_presets(const std::filesystem::path& folder);
 /// @throws Error(bad_input) with the fault of an entry that cannot be read
 PresetFile preset_for(const PresetEntry& entry, const Volume& volume, const VolumeStatistics& statistics);
 
+/// Whether one of the folder's files holds a preset of that name. @throws Error(io) where it cannot be read
+bool owns_preset(const std::filesystem::path& folder, const std::string& name);
+
 /// Writes a preset into the folder, which is made where it does not exist, as a file named after it.
 /// @param replace  false: a preset of that name (a file's, or a built-in one's) is refused as Error(bad_usage)
 /// @throws Error(bad_usage) for an empty name, Error(io). @return the file

@@ -1,5 +1,6 @@
 // The colours: points of a transfer function, gradient opacity, colour maps, presets.
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QMouseEvent>
 #include <QTemporaryDir>
 
@@ -229,8 +230,16 @@ TEST_F(ColoursTest, PresetsAreDrawnAppliedWithTheirTechniqueAndUndone) {
 
 TEST_F(ColoursTest, OwnPresetsAreKeptAndBrokenOnesNamed) {
     open(test::k_casting);
+    const auto marked = [&](const char* name) {
+        return QTest::qWaitFor(
+            [&] {
+                const PresetEntry* chosen = presets->gallery()->chosen();
+                return chosen && chosen->name == name;
+            },
+            test::k_patience_ms);
+    };
     presets->saveAs(QStringLiteral("My castings"));
-    std::filesystem::create_directories(PresetsFeature::folder());
+    ASSERT_TRUE(marked("My castings"));
     write_file(PresetsFeature::folder() / "later.json", "{\"version\": 7}");
     presets->showGallery();
     const std::vector<PresetEntry> all = list_presets(PresetsFeature::folder());
@@ -243,11 +252,21 @@ TEST_F(ColoursTest, OwnPresetsAreKeptAndBrokenOnesNamed) {
     EXPECT_EQ(document().settings, before);
     EXPECT_TRUE(window->messageBar()->text().contains(QStringLiteral("version 7")));
     presets->rename(own, QStringLiteral("bone"));  // taken
-    EXPECT_TRUE(window->messageBar()->text().contains(QStringLiteral("bone")));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return window->messageBar()->text().contains(QStringLiteral("bone")); },
+                                test::k_patience_ms));
     presets->rename(own, QStringLiteral("Castings"));
-    ASSERT_TRUE(presets->gallery()->chosen());
-    EXPECT_EQ(presets->gallery()->chosen()->name, "Castings");
+    ASSERT_TRUE(marked("Castings"));
+    presets->saveAs(QStringLiteral("Castings"));  // one's own: asked before it is replaced
+    QMessageBox* question = nullptr;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return (question = window->findChild<QMessageBox*>()) != nullptr; },
+                                test::k_patience_ms));
+    QSignalSpy listed(presets, &PresetsFeature::listed);
+    question->button(QMessageBox::Yes)->click();
+    ASSERT_TRUE(listed.wait(test::k_patience_ms));
+    EXPECT_EQ(list_presets(PresetsFeature::folder()).size(), preset_names().size() + 2);
+    ASSERT_TRUE(marked("Castings"));
     presets->remove(*presets->gallery()->chosen());
+    ASSERT_TRUE(listed.wait(test::k_patience_ms));
     EXPECT_EQ(list_presets(PresetsFeature::folder()).size(), preset_names().size() + 1);
     EXPECT_TRUE(std::filesystem::exists(PresetsFeature::folder() / "later.json"));
 }

@@ -16,7 +16,11 @@ PresetsFeature::PresetsFeature(Workbench& bench)
       gallery_(new PresetGallery(bench.window())),
       dock_(bench.addDock(QStringLiteral("presets"), tr("Presets"), gallery_, Qt::RightDockWidgetArea)),
       thumbnails_(new PresetThumbnails(bench.scheduler(), this)),
-      files_(this, bench.tasks()) {
+      listing_(this),
+      keeps_(this, bench.tasks()),
+      changes_(this, bench.tasks()),
+      exports_(bench) {
+    connect(&exports_, &FileWrites::written, this, &PresetsFeature::exported);
     bench.needDocument(gallery_);
     if (auto* scene = bench.window()->findChild<QDockWidget*>(QStringLiteral("scene"))) {
         bench.window()->tabifyDockWidget(scene, dock_);
@@ -30,17 +34,6 @@ PresetsFeature::PresetsFeature(Workbench& bench)
 std::filesystem::path PresetsFeature::folder() {
     return std::filesystem::path(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation).toStdString()) /
            "presets";
-}
-
-template <class Work>
-bool PresetsFeature::attempt(Work&& work) {
-    try {
-        work();
-        return true;
-    } catch (const Error& error) {
-        bench_.report(error);
-        return false;
-    }
 }
 
 void PresetsFeature::connectGallery() {
@@ -98,8 +91,15 @@ void PresetsFeature::showGallery() {
     gallery_->list()->setFocus();
 }
 
-void PresetsFeature::list() {
-    attempt([&] { gallery_->setEntries(list_presets(folder())); });
+void PresetsFeature::list(const QString& choose) {
+    if (!choose.isEmpty()) choose_ = choose;
+    listing_.start([folder = folder()](const JobContext&) { return list_presets(folder); },
+                   [this](Outcome<std::vector<PresetEntry>> outcome) {
+                       if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+                       gallery_->setEntries(std::get<0>(outcome));
+                       gallery_->choose(std::exchange(choose_, QString()));
+                       Q_EMIT listed();
+                   });
     drawVisible();
 }
 
@@ -130,14 +130,16 @@ void PresetsFeature::drawVisible() {
 void PresetsFeature::apply(const PresetEntry& entry) {
     if (!bench_.documents()->hasDocument()) return;
     const Document& document = bench_.documents()->document();
-    attempt([&] {
+    try {
         PresetFile preset = preset_for(entry, document.volume, *document.statistics);
         if (!gallery_->withTechnique()) preset.technique.reset();
         const ViewSettings next = with_preset(document.settings, preset);
         bench_.documents()->endGesture();
         bench_.documents()->edit(tr("Preset %1").arg(QString::fromStdString(entry.name)), next);
         bench_.documents()->endGesture();
-    });
+    } catch (const Error& error) {
+        bench_.report(error);
+    }
 }
 
 void PresetsFeature::askName(const QString& title, const QString& proposed, std::function<void(const QString&)> then) {
@@ -152,40 +154,60 @@ void PresetsFeature::askName(const QString& title, const QString& proposed, std:
 
 void PresetsFeature::saveAs(const QString& name) {
     if (!bench_.documents()->hasDocument()) return;
-    const PresetFile preset = preset_of(bench_.documents()->document().settings, name.toStdString());
-    const auto keep = [this, preset, name](bool replace) {
-        std::filesystem::path file;
-        if (!attempt([&] { file = store_preset(folder(), preset, replace); })) return;
-        thumbnails_->forget(QString::fromStdString(file.string()));
-        list();
-        gallery_->choose(name);
-    };
-    bool own = false;
-    attempt([&] {
-        for (const PresetEntry& entry : list_presets(folder()))
-            own = own || (!entry.built_in() && entry.name == preset.tf.name);
-    });
-    if (!own) return keep(false);
-    auto* question = new QMessageBox(QMessageBox::Question, tr("Save as a preset"),
-                                     tr("There is a preset “%1” already. Replace it?").arg(name),
-                                     QMessageBox::Yes | QMessageBox::Cancel, bench_.window());
+    keep(preset_of(bench_.documents()->document().settings, name.toStdString()), false);
+}
+
+void PresetsFeature::keep(const PresetFile& preset, bool replace) {
+    using Kept = std::optional<std::filesystem::path>;
+    keeps_.start(
+        tr("Saving the preset"),
+        [folder = folder(), preset, replace](const JobContext&) -> Kept {
+            if (!replace && owns_preset(folder, preset.tf.name)) return std::nullopt;
+            return store_preset(folder, preset, replace);
+        },
+        [this, preset](Outcome<Kept> outcome) {
+            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+            const Kept& file = std::get<0>(outcome);
+            if (!file) return askToReplace(preset);
+            thumbnails_->forget(QString::fromStdString(file->string()));
+            list(QString::fromStdString(preset.tf.name));
+        });
+}
+
+void PresetsFeature::askToReplace(const PresetFile& preset) {
+    auto* question =
+        new QMessageBox(QMessageBox::Question, tr("Save as a preset"),
+                        tr("There is a preset “%1” already. Replace it?").arg(QString::fromStdString(preset.tf.name)),
+                        QMessageBox::Yes | QMessageBox::Cancel, bench_.window());
     question->setAttribute(Qt::WA_DeleteOnClose);
-    connect(question, &QMessageBox::accepted, this, [keep] { keep(true); });
+    connect(question, &QMessageBox::accepted, this, [this, preset] { keep(preset, true); });
     question->open();
 }
 
+void PresetsFeature::change(const QString& name, Task<QString>::Work work, std::function<void(const QString&)> done) {
+    changes_.start(name, std::move(work), [this, done = std::move(done)](Outcome<QString> outcome) {
+        if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
+        list(std::get<0>(outcome));
+        if (done) done(std::get<0>(outcome));
+    });
+}
+
 void PresetsFeature::rename(const PresetEntry& entry, const QString& name) {
-    if (!attempt([&] { rename_preset(entry.file, name.toStdString()); })) return;
-    list();
-    gallery_->choose(name);
+    change(tr("Renaming the preset"), [file = entry.file, name](const JobContext&) {
+        rename_preset(file, name.toStdString());
+        return name;
+    });
 }
 
 void PresetsFeature::remove(const PresetEntry& entry) {
-    if (attempt([&] { remove_preset(entry.file); })) list();
+    change(tr("Deleting the preset"), [file = entry.file](const JobContext&) {
+        remove_preset(file);
+        return QString();
+    });
 }
 
 void PresetsFeature::importFile(const QString& file) {
-    files_.start(
+    change(
         tr("Importing a preset"),
         [path = std::filesystem::path(file.toStdString()), folder = folder()](const JobContext&) {
             PresetFile preset = load_preset(path);
@@ -193,29 +215,19 @@ void PresetsFeature::importFile(const QString& file) {
             store_preset(folder, preset, false);
             return QString::fromStdString(preset.tf.name);
         },
-        [this](Outcome<QString> outcome) {
-            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
-            list();
-            gallery_->choose(std::get<0>(outcome));
+        [this](const QString& name) {
             showGallery();
-            Q_EMIT imported(std::get<0>(outcome));
+            Q_EMIT imported(name);
         });
 }
 
 void PresetsFeature::exportFile(const PresetEntry& entry, const QString& file) {
     if (!bench_.documents()->hasDocument()) return;
     const Document& document = bench_.documents()->document();
-    files_.start(
-        tr("Exporting the preset"),
-        [entry, file, volume = document.volume, statistics = document.statistics](const JobContext&) {
-            save_preset(preset_for(entry, volume, *statistics), file.toStdString());
-            return file;
-        },
-        [this](Outcome<QString> outcome) {
-            if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
-            bench_.messages()->showNotice(tr("Written to %1.").arg(std::get<0>(outcome)));
-            Q_EMIT exported(std::get<0>(outcome));
-        });
+    exports_.start(tr("Exporting the preset"), file,
+                   [entry, file, volume = document.volume, statistics = document.statistics](const JobContext&) {
+                       save_preset(preset_for(entry, volume, *statistics), file.toStdString());
+                   });
 }
 
 }  // namespace lacuna::ui

@@ -3,6 +3,8 @@
 #include <QObject>
 #include <filesystem>
 
+#include "ui/file_writes.h"
+#include "ui/latest_job.h"
 #include "ui/panels/preset_gallery.h"
 #include "ui/preset_thumbnails.h"
 #include "ui/tasks.h"
@@ -34,6 +36,7 @@ public Q_SLOTS:
     void exportFile(const lacuna::PresetEntry& entry, const QString& file);
 
 Q_SIGNALS:
+    void listed();  ///< the gallery shows what is kept
     void imported(const QString& name);
     void exported(const QString& file);
 
@@ -41,18 +44,23 @@ private:
     void connectGallery();
     void connectDocument();
     void addActions();
-    void list();
+    /// Brings the gallery up to what is kept. @param choose  the preset to be marked then; empty: as it was
+    void list(const QString& choose = {});
     void drawVisible();
+    void keep(const PresetFile& preset, bool replace);
+    void askToReplace(const PresetFile& preset);
+    /// Changes one's own presets, then lists them. @param work  says which to mark; empty: as it was
+    void change(const QString& name, Task<QString>::Work work, std::function<void(const QString&)> done = nullptr);
     void askName(const QString& title, const QString& proposed, std::function<void(const QString&)> then);
-    /// Runs what may fail and reports it.
-    template <class Work>
-    bool attempt(Work&& work);
-
     Workbench& bench_;
     PresetGallery* gallery_;
     QDockWidget* dock_;
     PresetThumbnails* thumbnails_;
-    Tasks<QString> files_;
+    LatestJob<std::vector<PresetEntry>> listing_;
+    QString choose_;                                     ///< once they are listed
+    Tasks<std::optional<std::filesystem::path>> keeps_;  ///< the file; none where a person must be asked first
+    Tasks<QString> changes_;
+    FileWrites exports_;
 };
 
 }  // namespace lacuna::ui
