@@ -25,7 +25,7 @@ bool is_common(const std::string& name) {
 }
 
 /// Replaces a name where it stands for itself, not inside a word.
-void hide(std::string& sentence, const std::string& name) {
+void hide_word(std::string& sentence, const std::string& name) {
     if (is_common(name)) return;
     for (std::size_t at = 0; (at = sentence.find(name, at)) != std::string::npos;) {
         const std::size_t end = at + name.size();
@@ -80,9 +80,14 @@ std::string without_names(const std::string& sentence, const std::string& input)
     std::sort(names.begin(), names.end(),
               [](const std::string& a, const std::string& b) { return a.size() > b.size(); });
     std::string hidden = sentence;
-    for (const std::string& name : names) hide(hidden, name);
+    for (const std::string& name : names) hide_word(hidden, name);
     hide_paths(hidden);
     return hidden;
+}
+
+void hide_names(Volume& volume, const std::string& input) {
+    for (Warning& warning : volume.warnings) warning.text = without_names(warning.text, input);
+    if (volume.dicom) std::fill(volume.dicom->duplicates.begin(), volume.dicom->duplicates.end(), k_hidden);
 }
 
 }  // namespace lacuna::ui

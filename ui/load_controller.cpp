@@ -57,9 +57,7 @@ void LoadController::open(const QString& input, const OpenOptions& options) {
                 Opened opened{.document = make_document(name, std::move(volume), job.part(0.9, 1))};
                 opened.document.options = options;
                 if (opened.document.volume.dicom) add_screen_facts(opened.document, {job.stop, nullptr});
-                if (hide)
-                    for (Warning& warning : opened.document.volume.warnings)
-                        warning.text = without_names(warning.text, name);
+                if (hide) hide_names(opened.document.volume, name);
                 return opened;
             } catch (const AmbiguousInput& several) {
                 return Opened{.choice = several.entries};

@@ -167,7 +167,10 @@ void MainWindow::connectLoading() {
     connect(loader_, &LoadController::finished, this, [this] { bench_->tasks()->end(load_task_); });
     connect(loader_, &LoadController::failed, messages_, &MessageBar::showError);
     connect(loader_, &LoadController::cancelled, this, [this] { messages_->showNotice(tr("Opening was cancelled.")); });
-    connect(loader_, &LoadController::loaded, documents_, &DocumentController::open);
+    connect(loader_, &LoadController::loaded, this, [this](const Document& document) {
+        showWarnings(document.volume.warnings);  // once: they may name files, and patients may be hidden later
+        documents_->open(document);
+    });
     connect(loader_, &LoadController::choiceNeeded, this,
             [this](const QString& input, const std::vector<SeriesEntry>& entries) {
                 auto* dialog = new SeriesDialog(entries, this);
@@ -278,17 +281,18 @@ void MainWindow::showDocument() {
     stack_->setCurrentWidget(views_);
     showSettings();
     readOutCursor();
-    const auto& warnings = document.volume.warnings;
-    if (!warnings.empty()) {
-        QString words = core_sentence(warnings.front().text);
-        if (warnings.size() > 1) words += tr(" (and %1 more notes)").arg(warnings.size() - 1);
-        QStringList all;
-        for (const Warning& warning : warnings) all << core_sentence(warning.text);
-        messages_->showNotice(words, all.join(QLatin1Char('\n')));
-    }
     scheduler_->setSize(views_->volumeView()->pixelSize());
     renderScene();
     views_->volumeView()->setFocus();
+}
+
+void MainWindow::showWarnings(const std::vector<Warning>& warnings) {
+    if (warnings.empty()) return;
+    QString words = core_sentence(warnings.front().text);
+    if (warnings.size() > 1) words += tr(" (and %1 more notes)").arg(warnings.size() - 1);
+    QStringList all;
+    for (const Warning& warning : warnings) all << core_sentence(warning.text);
+    messages_->showNotice(words, all.join(QLatin1Char('\n')));
 }
 
 void MainWindow::showSettings() {

@@ -108,6 +108,7 @@ private:
     void focusTab(int tab, QWidget* widget);
 
     void showDocument();
+    void showWarnings(const std::vector<Warning>& warnings);
     void showSettings();
     void showSelection();
     void renderScene();

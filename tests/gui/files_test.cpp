@@ -194,6 +194,33 @@ TEST_F(FilesTest, FaultsAreToldWithoutNamesWhilePatientsAreHidden) {
     EXPECT_FALSE(of_folder.contains(QFileInfo(sound).path())) << of_folder.toStdString();
 }
 
+TEST_F(FilesTest, NotesOnAnInputNameNoFileOncePatientsAreHidden) {
+    Volume volume = make_sample("spheres", {}).volume;
+    volume.dicom = DicomFacts{};
+    volume.dicom->duplicates = {"Doe_Jane_1", "Doe_Jane_2"};
+    volume.warnings = {{"1 DICOM files with a damaged header are left out: Doe_Jane.dcm.", 0}};
+    ASSERT_TRUE(QFile(path(QStringLiteral("Doe_Jane.dcm"))).open(QIODevice::WriteOnly));
+    hide_names(volume, folder.path().toStdString());
+    EXPECT_EQ(volume.warnings[0].text.find("Doe"), std::string::npos) << volume.warnings[0].text;
+    EXPECT_NE(volume.warnings[0].text.find("left out"), std::string::npos) << volume.warnings[0].text;
+    ASSERT_EQ(volume.dicom->duplicates.size(), 2u) << "how many there are may be known";
+    for (const std::string& name : volume.dicom->duplicates) EXPECT_EQ(name.find("Doe"), std::string::npos);
+    // What was said before they were hidden is taken back; a question stays, and is no longer about it.
+    MessageBar* bar = window->messageBar();
+    bar->ask(QStringLiteral("Shall it?"), {{QStringLiteral("Yes"), [] {}}});
+    bar->showNotice(QStringLiteral("Written to Doe_Jane.png."), QStringLiteral("Doe"));
+    window->patient()->setHidden(true);
+    EXPECT_EQ(bar->text(), QStringLiteral("Shall it?"));
+    EXPECT_TRUE(bar->toolTip().isEmpty());
+    EXPECT_TRUE(bar->isVisible());
+    bar->dismiss();
+    window->patient()->setHidden(false);
+    bar->showNotice(QStringLiteral("Doe_Jane"));
+    window->patient()->setHidden(true);
+    EXPECT_FALSE(bar->isVisible());
+    window->patient()->setHidden(false);
+}
+
 TEST_F(FilesTest, NamesLeaveASentenceWhole) {
     const std::string input = path(QStringLiteral("Doe Jane.mhd")).toStdString();
     for (const char* beside : {"1", "42", "a"}) {

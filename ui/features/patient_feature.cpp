@@ -22,20 +22,21 @@ QString joined(std::initializer_list<QString> parts) {
 
 }  // namespace
 
-PatientFeature::PatientFeature(Workbench& bench) : QObject(&bench), bench_(bench) {
+PatientFeature::PatientFeature(Workbench& bench)
+    : QObject(&bench), bench_(bench), hidden_(preferences::hide_patient()) {
     shown_ = bench.addAlways(bench.menu(Workbench::Menu::view), tr("Patient &data"),
                              QKeySequence(QStringLiteral("Ctrl+Shift+H")), this,
                              [this](bool show_it) { setHidden(!show_it); });
     shown_->setCheckable(true);
-    shown_->setChecked(!preferences::hide_patient());
+    shown_->setChecked(!hidden_);
     shown_->setToolTip(tr("Names, identifiers, dates and file names in the views and the window's title"));
     connect(bench.documents(), &DocumentController::opened, this, &PatientFeature::show);
 }
 
-bool PatientFeature::hidden() const { return !shown_->isChecked(); }
-
 void PatientFeature::setHidden(bool hide) {
     shown_->setChecked(!hide);
+    if (hide && !hidden_) bench_.messages()->showNotice({});  // it may name files, and those patients
+    hidden_ = hide;
     preferences::set_hide_patient(hide);
     KeptPlaces::instance().keep();
     show();

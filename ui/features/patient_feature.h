@@ -10,7 +10,7 @@ class PatientFeature final : public QObject {
     Q_OBJECT
 public:
     explicit PatientFeature(Workbench& bench);
-    bool hidden() const;
+    bool hidden() const { return hidden_; }
 
 public Q_SLOTS:
     void setHidden(bool hide);
@@ -23,6 +23,7 @@ private:
 
     Workbench& bench_;
     QAction* shown_;
+    bool hidden_;
 };
 
 }  // namespace lacuna::ui

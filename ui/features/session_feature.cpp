@@ -259,10 +259,12 @@ void SessionFeature::askForData(Session session, const QString& file) {
         moved.input = name.toStdString();
         start(std::move(moved), file);
     };
-    bench_.messages()->ask(tr("The data of %1 is not where it was (%2). What is open stays open.")
-                               .arg(QFileInfo(file).fileName(), QString::fromStdString(session.input)),
-                           {{tr("Locate the folder…"), [locate] { locate(true); }},
-                            {tr("Locate the file…"), [locate] { locate(false); }}});
+    const QString lost = preferences::hide_patient()
+                             ? tr("The session's data is not where it was. What is open stays open.")
+                             : tr("The data of %1 is not where it was (%2). What is open stays open.")
+                                   .arg(QFileInfo(file).fileName(), QString::fromStdString(session.input));
+    bench_.messages()->ask(lost, {{tr("Locate the folder…"), [locate] { locate(true); }},
+                                  {tr("Locate the file…"), [locate] { locate(false); }}});
 }
 
 void SessionFeature::documentOpened() {

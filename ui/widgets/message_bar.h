@@ -28,7 +28,7 @@ public:
 
 public Q_SLOTS:
     void showError(const QString& sentence);
-    /// @param details  more of it, as a tool tip
+    /// @param sentence  none: forgets what was said; a question stays @param details  more of it, as a tool tip
     void showNotice(const QString& sentence, const QString& details = {});
     /// Hides the bar; a question it asked is taken back.
     void dismiss();
