@@ -26,7 +26,6 @@ public:
     void search();
     void retrieve(const QString& folder);
     void send(const QStringList& files);
-    QLineEdit* patientName() const { return name_; }
     QTreeWidget* results() const { return results_; }
     QLabel* statusText() const { return status_; }
 

@@ -19,7 +19,6 @@ public:
 
     QPushButton* waitButton() const { return wait_; }
     QPushButton* stopButton() const { return stop_; }
-    QPushButton* stayButton() const { return stay_; }
     QString jobsText() const { return jobs_->text(); }
 
 Q_SIGNALS:

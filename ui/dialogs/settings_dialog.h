@@ -21,13 +21,10 @@ class SettingsDialog final : public QDialog {
 public:
     explicit SettingsDialog(QWidget* parent = nullptr);
 
-    QComboBox* languageBox() const { return language_; }
-    QComboBox* themeBox() const { return theme_; }
     QComboBox* deviceBox() const { return device_; }
     QSpinBox* memoryBox() const { return memory_; }
     QSpinBox* autosaveBox() const { return autosave_; }
     QCheckBox* privacyBox() const { return hide_patient_; }
-    QLineEdit* openFolderEdit() const { return open_folder_; }
     QTableWidget* deviceTable() const { return devices_; }
     QPushButton* measureButton() const { return measure_; }
 

@@ -13,7 +13,6 @@ class SlicesFeature final : public QObject {
 public:
     SlicesFeature(Workbench& bench, SlicesPanel* panel);
 
-    SliceCrossHair* crossHair() { return &cross_hair_; }
 
 private:
     void addWindows();

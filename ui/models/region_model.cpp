@@ -109,11 +109,4 @@ QVariant RegionModel::headerData(int section, Qt::Orientation orientation, int r
     return {};
 }
 
-int RegionModel::rowOf(std::uint32_t id) const {
-    if (!table_) return -1;
-    for (std::size_t i = 0; i < table_->rows.size(); ++i)
-        if (table_->rows[i].id == id) return int(i);
-    return -1;
-}
-
 }  // namespace lacuna::ui

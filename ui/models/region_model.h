@@ -20,8 +20,6 @@ public:
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
-    /// The row of a region, or -1.
-    int rowOf(std::uint32_t id) const;
 
 private:
     std::shared_ptr<const RegionTable> table_;

@@ -21,7 +21,6 @@ public:
     QCheckBox* enabledBox() const { return enabled_; }
     QCheckBox* capBox() const { return cap_; }
     RangeSlider* ends(int axis) const { return ends_[axis]; }
-    QPushButton* wholeButton() const { return whole_; }
 
 Q_SIGNALS:
     void edited(const QString& name, const lacuna::BoxRoi& box);

@@ -28,7 +28,6 @@ public:
     QSlider* slider() const { return slider_; }
     QCheckBox* switchBox() const { return on_; }
     QString planLine() const { return plan_->text(); }
-    QString stopName() const { return stop_->text(); }
 
 Q_SIGNALS:
     void edited(const QString& name, const lacuna::ViewSettings& next);

@@ -22,9 +22,6 @@ public:
     void setRows(const std::vector<Row>& rows);
     void select(std::uint32_t id);
     QTableWidget* table() const { return table_; }
-    QPushButton* exportButton() const { return export_; }
-    QPushButton* copyButton() const { return copy_; }
-    QPushButton* removeButton() const { return remove_; }
 
 Q_SIGNALS:
     void chosen(std::uint32_t id);  ///< 0: none

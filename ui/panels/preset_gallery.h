@@ -28,7 +28,6 @@ public:
     bool withTechnique() const { return technique_->isChecked(); }
     QListWidget* list() const { return list_; }
     QCheckBox* techniqueBox() const { return technique_; }
-    QPushButton* saveButton() const { return save_; }
 
 Q_SIGNALS:
     void shown();  ///< other entries came into sight

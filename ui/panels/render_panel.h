@@ -20,7 +20,6 @@ public:
     /// Says which structures can draw the scene, and why the others cannot.
     void setScene(const lacuna::Scene& scene);
     QComboBox* modeBox() const { return mode_; }
-    ValueSlider* isoSlider() const { return iso_; }
     /// Puts a panel of its own below the rows.
     void append(QWidget* panel) { form_->addRow(panel); }
     QComboBox* structureBox() const { return structure_; }

@@ -24,10 +24,7 @@ public:
     void setSettings(const lacuna::ViewSettings& settings);
     QComboBox* presetBox() const { return preset_; }
     QComboBox* functionBox() const { return function_; }
-    QComboBox* slabBox() const { return slab_mode_; }
-    ValueSlider* slabSlider() const { return slab_; }
     ValueSlider* overlaySlider() const { return overlay_; }
-    QPushButton* uprightButton() const { return upright_; }
     /// A window a person can choose.
     struct NamedWindow {
         QString name;

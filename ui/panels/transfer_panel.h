@@ -38,7 +38,6 @@ public:
     ShapesPage* shapesPage() const { return shapes_; }
     QComboBox* targetBox() const { return target_box_; }
     QComboBox* histogramBox() const { return histogram_box_; }
-    QToolButton* colorMapButton() const { return maps_; }
     HistogramController* histograms() const { return histograms_; }
 
 public Q_SLOTS:

@@ -23,7 +23,6 @@ public:
     void setBox(const lacuna::BoxRoi& box) { box_ = box; }
     void setSelected(int cut) { selected_ = cut; }
     void setVisible(bool visible) { visible_ = visible; }
-    bool dragging() const { return plane_drag_ || box_drag_; }
 
     void paint(QPainter& painter, const ViewRays& rays) const override;
     bool press(const ViewRays& rays, const QMouseEvent& event) override;
