@@ -190,29 +190,38 @@ QWidget* RawImportDialog::makeForm() {
     header_->setAccessibleName(tr("Header"));
     header_->setToolTip(tr("Bytes before the first voxel"));
     form->addRow(tr("H&eader"), header_);
-    auto* spacing = new QHBoxLayout;
-    const QString names[] = {tr("Spacing between columns"), tr("Spacing between rows"), tr("Spacing between slices")};
-    for (std::size_t a = 0; a < 3; ++a) {
-        spacing_[a] = new SpacingBox(box);
-        spacing_[a]->setValue(1);
-        spacing_[a]->setAccessibleName(names[a]);
-        spacing_[a]->setToolTip(names[a]);
-        spacing->addWidget(spacing_[a]);
-        connect(spacing_[a], &QDoubleSpinBox::valueChanged, this, &RawImportDialog::edited);
-    }
-    auto* spacing_label = new QLabel(tr("&Spacing in mm"), box);
-    spacing_label->setBuddy(spacing_[0]);
-    form->addRow(spacing_label, spacing);
+    addSpacing(form);
     connect(type_, &QComboBox::currentIndexChanged, this, &RawImportDialog::edited);
     connect(order_, &QComboBox::currentIndexChanged, this, &RawImportDialog::edited);
     connect(header_, &QSpinBox::valueChanged, this, &RawImportDialog::edited);
     size_line_->setWordWrap(true);
     size_line_->setAccessibleName(tr("Size of the file"));
     form->addRow(size_line_);
+    addHelp(form);
+    return box;
+}
+
+void RawImportDialog::addSpacing(QFormLayout* form) {
+    auto* spacing = new QHBoxLayout;
+    const QString names[] = {tr("Spacing between columns"), tr("Spacing between rows"), tr("Spacing between slices")};
+    for (std::size_t a = 0; a < 3; ++a) {
+        spacing_[a] = new SpacingBox(form->parentWidget());
+        spacing_[a]->setValue(1);
+        spacing_[a]->setAccessibleName(names[a]);
+        spacing_[a]->setToolTip(names[a]);
+        spacing->addWidget(spacing_[a]);
+        connect(spacing_[a], &QDoubleSpinBox::valueChanged, this, &RawImportDialog::edited);
+    }
+    auto* spacing_label = new QLabel(tr("&Spacing in mm"), form->parentWidget());
+    spacing_label->setBuddy(spacing_[0]);
+    form->addRow(spacing_label, spacing);
+}
+
+void RawImportDialog::addHelp(QFormLayout* form) {
     auto* help = new QHBoxLayout;
-    auto* fit = new QPushButton(tr("&Fit the depth"), box);
+    auto* fit = new QPushButton(tr("&Fit the depth"), form->parentWidget());
     fit->setToolTip(tr("As many slices as the file holds"));
-    auto* rest = new QPushButton(tr("The &rest is header"), box);
+    auto* rest = new QPushButton(tr("The &rest is header"), form->parentWidget());
     rest->setToolTip(tr("Takes all bytes the voxels do not need for a header before them"));
     help->addWidget(fit);
     help->addWidget(rest);
@@ -220,7 +229,6 @@ QWidget* RawImportDialog::makeForm() {
     for (QPushButton* button : {fit, rest}) button->setAutoDefault(false);
     connect(fit, &QPushButton::clicked, this, &RawImportDialog::fitDepth);
     connect(rest, &QPushButton::clicked, this, &RawImportDialog::restIsHeader);
-    return box;
 }
 
 QWidget* RawImportDialog::makePreview() {

@@ -14,6 +14,8 @@
 #include "core/io/raw_guess.h"
 #include "ui/latest_job.h"
 
+class QFormLayout;
+
 namespace lacuna::ui {
 
 /// A picture that keeps its shape while it fills its widget.
@@ -56,6 +58,9 @@ Q_SIGNALS:
 
 private:
     QWidget* makeForm();
+    void addSpacing(QFormLayout* form);
+    /// The buttons that fill in what follows from the file's size.
+    void addHelp(QFormLayout* form);
     QWidget* makePreview();
     void propose();
     void showProposals(const std::vector<RawGuess>& guesses);

@@ -6,6 +6,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/widgets/row_table.h"
+
 namespace lacuna::ui {
 
 SeriesDialog::SeriesDialog(const std::vector<SeriesEntry>& entries, QWidget* parent)
@@ -17,11 +19,7 @@ SeriesDialog::SeriesDialog(const std::vector<SeriesEntry>& entries, QWidget* par
         new QLabel(tr("There are %1 volumes here. Which one should be opened?").arg(entries.size()), this));
     table_->setHorizontalHeaderLabels({tr("No."), tr("Modality"), tr("Description"), tr("Size"), tr("Slices")});
     table_->setAccessibleName(tr("Series found"));
-    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setSelectionMode(QAbstractItemView::SingleSelection);
-    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table_->setTabKeyNavigation(false);
-    table_->verticalHeader()->hide();
+    choose_rows_of(table_);
     // Only the description gives way: a size in two lines reads as two.
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);

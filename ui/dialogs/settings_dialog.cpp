@@ -13,6 +13,7 @@
 #include "ui/number_text.h"
 #include "ui/preferences.h"
 #include "ui/theme_control.h"
+#include "ui/widgets/row_table.h"
 
 namespace lacuna::ui {
 
@@ -98,10 +99,7 @@ QWidget* SettingsDialog::computePage() {
     devices_->setHorizontalHeaderLabels({tr("Device"), tr("Kind"), tr("Memory"), tr("Time")});
     devices_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     devices_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-    devices_->verticalHeader()->hide();
-    devices_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    devices_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    devices_->setTabKeyNavigation(false);
+    choose_rows_of(devices_);
     column->addWidget(devices_, 1);
     why_->setWordWrap(true);
     why_->setAccessibleName(tr("Why the fastest one is it"));

@@ -10,6 +10,8 @@ namespace lacuna::ui {
 namespace {
 constexpr double k_tilt_deg = 2;
 constexpr int k_voxels = 1, k_many_voxels = 10;
+
+QKeySequence key(const char* keys) { return QKeySequence(QString::fromLatin1(keys)); }
 }  // namespace
 
 CutFeature::CutFeature(Workbench& bench, CutsPanel* panel) : QObject(bench.window()), bench_(bench), panel_(panel) {
@@ -34,14 +36,6 @@ CutFeature::CutFeature(Workbench& bench, CutsPanel* panel) : QObject(bench.windo
 
 void CutFeature::buildMenu() {
     QMenu* menu = bench_.submenu(Workbench::Menu::tools, tr("&Cutting planes"));
-    VolumeView* view = bench_.views()->volumeView();
-    const auto key = [](const char* keys) { return QKeySequence(QString::fromLatin1(keys)); };
-    // In the 3D view alone: slices and panels have other uses for these keys.
-    const auto in_view = [this, view](QAction* action, bool of_cut) {
-        bind_to_view(action, view);
-        if (of_cut) of_cut_ << action;
-        return action;
-    };
     QAction* cut = bench_.add(menu, tr("&Add a cutting plane"), key("Ctrl+Alt+X"), this, [this] {
         Q_EMIT cutAdded();
         panel_->addCut();
@@ -49,52 +43,65 @@ void CutFeature::buildMenu() {
     offer_tool(cut, ToolGroup::tools, Icon::cut, tr("Cut"));
     bench_.add(menu, tr("Cut here, &facing the viewer"), key("Ctrl+Shift+X"), this, &CutFeature::addFacing);
     menu->addSeparator();
-    in_view(bench_.add(menu, tr("Choose the &next plane"), key("C"), panel_,
-                       [this] { panel_->select(panel_->current() + 1); }),
-            false);
-    in_view(bench_.add(menu, tr("F&lip the plane"), key("Shift+C"), panel_, &CutsPanel::flipCurrent), true);
-    open_ = in_view(bench_.add(menu, tr("Data values on the cut face (ca&p)"), key("O"), this,
-                               [this](bool cap) {
-                                   editCut(CutsPanel::tr("Cut face"),
-                                           [cap](CutSetting& chosen) { chosen.plane.cap = cap; });
-                               }),
-                    true);
+    inView(bench_.add(menu, tr("Choose the &next plane"), key("C"), panel_,
+                      [this] { panel_->select(panel_->current() + 1); }),
+           false);
+    inView(bench_.add(menu, tr("F&lip the plane"), key("Shift+C"), panel_, &CutsPanel::flipCurrent), true);
+    open_ =
+        inView(bench_.add(menu, tr("Data values on the cut face (ca&p)"), key("O"), this,
+                          [this](bool cap) {
+                              editCut(CutsPanel::tr("Cut face"), [cap](CutSetting& chosen) { chosen.plane.cap = cap; });
+                          }),
+               true);
     open_->setCheckable(true);
-    in_view(bench_.add(menu, tr("&Remove the plane"), key("Shift+Del"), panel_, &CutsPanel::removeCurrent), true);
-    QMenu* move = menu->addMenu(tr("&Move and tilt the plane"));
-    const auto moves = [&](const QString& text, const char* keys, int voxels) {
-        in_view(bench_.add(move, text, key(keys), this, [this, voxels] { moveBy(voxels); }), false);
-    };
-    moves(tr("Cut away &more"), "PgDown", k_voxels);
-    moves(tr("Cut away &less"), "PgUp", -k_voxels);
-    moves(tr("Cut away much more"), "Ctrl+PgDown", k_many_voxels);
-    moves(tr("Cut away much less"), "Ctrl+PgUp", -k_many_voxels);
-    const auto tilts = [&](const QString& text, const char* keys, double right, double up) {
-        in_view(bench_.add(move, text, key(keys), this, [this, right, up] { tiltBy(right, up); }), false);
-    };
-    tilts(tr("Tilt to the left"), "Alt+Shift+Left", -k_tilt_deg, 0);
-    tilts(tr("Tilt to the right"), "Alt+Shift+Right", k_tilt_deg, 0);
-    tilts(tr("Tilt up"), "Alt+Shift+Up", 0, k_tilt_deg);
-    tilts(tr("Tilt down"), "Alt+Shift+Down", 0, -k_tilt_deg);
+    inView(bench_.add(menu, tr("&Remove the plane"), key("Shift+Del"), panel_, &CutsPanel::removeCurrent), true);
+    addMoves(menu->addMenu(tr("&Move and tilt the plane")));
     menu->addSeparator();
-    box_ = in_view(bench_.add(menu, tr("Show a &box of the volume alone"), key("Shift+B"), this,
-                              [this](bool on) {
-                                  bench_.edit(BoxPanel::tr("Switch the box"), [on](ViewSettings& settings) {
-                                      BoxRoi& box = settings.roi;
-                                      box.enabled = on;
-                                      // A box as large as the volume shows no effect: its handles begin inside.
-                                      if (on && box.lo == glm::dvec3(0) && box.hi == glm::dvec3(1))
-                                          box.lo = glm::dvec3(0.1), box.hi = glm::dvec3(0.9);
-                                  });
-                              }),
-                   false);
-    box_->setCheckable(true);
+    addBox(menu);
     QAction* handles = bench_.add(menu, tr("Show &handles in the 3D view"), key("Ctrl+Alt+H"), this, [this](bool on) {
         tool_.setVisible(on);
         bench_.views()->volumeView()->update();
     });
     handles->setCheckable(true);
     handles->setChecked(true);
+}
+
+void CutFeature::addMoves(QMenu* menu) {
+    const auto moves = [&](const QString& text, const char* keys, int voxels) {
+        inView(bench_.add(menu, text, key(keys), this, [this, voxels] { moveBy(voxels); }), false);
+    };
+    moves(tr("Cut away &more"), "PgDown", k_voxels);
+    moves(tr("Cut away &less"), "PgUp", -k_voxels);
+    moves(tr("Cut away much more"), "Ctrl+PgDown", k_many_voxels);
+    moves(tr("Cut away much less"), "Ctrl+PgUp", -k_many_voxels);
+    const auto tilts = [&](const QString& text, const char* keys, double right, double up) {
+        inView(bench_.add(menu, text, key(keys), this, [this, right, up] { tiltBy(right, up); }), false);
+    };
+    tilts(tr("Tilt to the left"), "Alt+Shift+Left", -k_tilt_deg, 0);
+    tilts(tr("Tilt to the right"), "Alt+Shift+Right", k_tilt_deg, 0);
+    tilts(tr("Tilt up"), "Alt+Shift+Up", 0, k_tilt_deg);
+    tilts(tr("Tilt down"), "Alt+Shift+Down", 0, -k_tilt_deg);
+}
+
+void CutFeature::addBox(QMenu* menu) {
+    box_ = inView(bench_.add(menu, tr("Show a &box of the volume alone"), key("Shift+B"), this,
+                             [this](bool on) {
+                                 bench_.edit(BoxPanel::tr("Switch the box"), [on](ViewSettings& settings) {
+                                     BoxRoi& box = settings.roi;
+                                     box.enabled = on;
+                                     // A box as large as the volume shows no effect: its handles begin inside.
+                                     if (on && box.lo == glm::dvec3(0) && box.hi == glm::dvec3(1))
+                                         box.lo = glm::dvec3(0.1), box.hi = glm::dvec3(0.9);
+                                 });
+                             }),
+                  false);
+    box_->setCheckable(true);
+}
+
+QAction* CutFeature::inView(QAction* action, bool of_cut) {
+    bind_to_view(action, bench_.views()->volumeView());
+    if (of_cut) of_cut_ << action;
+    return action;
 }
 
 void CutFeature::show() {

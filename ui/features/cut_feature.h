@@ -23,6 +23,11 @@ Q_SIGNALS:
 
 private:
     void buildMenu();
+    void addMoves(QMenu* menu);
+    void addBox(QMenu* menu);
+    /// Gives an action's key to the 3D view alone: slices and panels have other uses for it.
+    /// @param of_cut  needs a plane that is chosen
+    QAction* inView(QAction* action, bool of_cut);
     void show();
     void addFacing();
     void moveBy(int voxels);

@@ -11,7 +11,7 @@
 #include "ui/core_sentences.h"
 #include "ui/number_text.h"
 #include "ui/tab_chain.h"
-#include "ui/widgets/table_header.h"
+#include "ui/widgets/row_table.h"
 
 namespace lacuna::ui {
 
@@ -77,19 +77,32 @@ void InspectionPanel::build() {
     filter_->setClearButtonEnabled(true);
     coloring_->addItems({tr("Colour by verdict"), tr("Colour by size"), tr("Colour by depth")});
     coloring_->setAccessibleName(tr("What the defects' colours tell"));
+    buildTable();
+    auto* over = new QHBoxLayout;
+    over->addWidget(filter_, 1);
+    over->addWidget(coloring_);
+    auto* right = new QVBoxLayout;
+    right->addLayout(over);
+    right->addWidget(view_, 1);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(6, 6, 6, 6);
+    row->addLayout(criteriaColumn(), 2);
+    row->addLayout(verdictColumn(), 2);
+    row->addLayout(right, 5);
+    chain_tabs({form_, load_, save_, inspect_, accept_, reject_, undecide_, report_, filter_, coloring_, view_});
+}
+
+void InspectionPanel::buildTable() {
     filtered_->setSourceModel(model_);
     filtered_->setSortRole(DefectModel::k_sort_role);
     view_->setModel(filtered_);
     view_->setAccessibleName(tr("Defects"));
-    view_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    view_->setSelectionMode(QAbstractItemView::SingleSelection);
-    view_->setSortingEnabled(true);
-    view_->sortByColumn(0, Qt::AscendingOrder);
-    view_->setAlternatingRowColors(true);
-    view_->setTabKeyNavigation(false);
-    view_->verticalHeader()->hide();
-    fit_headers(view_);
+    choose_rows_of(view_);
+    sort_by_titles(view_);
     view_->horizontalHeader()->setStretchLastSection(true);
+}
+
+QLayout* InspectionPanel::criteriaColumn() {
     auto* scroll = new QScrollArea(this);
     scroll->setWidget(form_);
     scroll->setWidgetResizable(true);
@@ -102,6 +115,10 @@ void InspectionPanel::build() {
     left->addWidget(load_, 1, 0);
     left->addWidget(save_, 1, 1);
     left->addWidget(inspect_, 2, 0, 1, 2);
+    return left;
+}
+
+QLayout* InspectionPanel::verdictColumn() {
     auto* middle = new QGridLayout;
     auto* result = new QWidget;
     auto* sentences = new QVBoxLayout(result);
@@ -124,18 +141,7 @@ void InspectionPanel::build() {
     middle->addWidget(undecide_, 2, 0);
     middle->addWidget(report_, 2, 1);
     for (QLabel* label : {verdict_, facts_}) label->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    auto* over = new QHBoxLayout;
-    over->addWidget(filter_, 1);
-    over->addWidget(coloring_);
-    auto* right = new QVBoxLayout;
-    right->addLayout(over);
-    right->addWidget(view_, 1);
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(6, 6, 6, 6);
-    row->addLayout(left, 2);
-    row->addLayout(middle, 2);
-    row->addLayout(right, 5);
-    chain_tabs({form_, load_, save_, inspect_, accept_, reject_, undecide_, report_, filter_, coloring_, view_});
+    return middle;
 }
 
 void InspectionPanel::setVolume(const Volume& volume, const VolumeStatistics& statistics) {

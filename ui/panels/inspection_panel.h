@@ -33,7 +33,6 @@ public:
     QTableView* table() const { return view_; }
     QPushButton* inspectButton() const { return inspect_; }
     QLineEdit* filterEdit() const { return filter_; }
-    QComboBox* coloringBox() const { return coloring_; }
     const Judgement& judgement() const { return judgement_; }
     QString verdictText() const { return verdict_->text(); }
     /// Takes a defect out of the verdict (accepted) or lets the part fail by it; an empty reason takes the word back.
@@ -52,6 +51,9 @@ Q_SIGNALS:
 
 private:
     void build();
+    void buildTable();
+    QLayout* criteriaColumn();
+    QLayout* verdictColumn();
     void judgeAgain();
     void accept(Outcome<Judgement> judgement);
     void showVerdict();

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ui/views/slice_measure.h"
+#include "ui/widgets/row_table.h"
 
 namespace lacuna::ui {
 
@@ -21,13 +22,8 @@ MeasurePanel::MeasurePanel(QWidget* parent)
                                tr("Stddev"), tr("Minimum"), tr("Maximum"), tr("Pixels")};
     table_->setColumnCount(int(heads.size()));
     table_->setHorizontalHeaderLabels(heads);
-    table_->verticalHeader()->hide();
-    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setSelectionMode(QAbstractItemView::SingleSelection);
-    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table_->setTabKeyNavigation(false);
+    choose_rows_of(table_);
     table_->setAlternatingRowColors(true);
-    table_->verticalHeader()->setDefaultSectionSize(22);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     remove_->setToolTip(tr("Removes the chosen measurement"));
     copy_->setToolTip(tr("Copies the table to the clipboard, for a spreadsheet"));

@@ -7,7 +7,7 @@
 
 #include "ui/number_text.h"
 #include "ui/tab_chain.h"
-#include "ui/widgets/transfer_plot.h"
+#include "ui/widgets/plot_paint.h"
 #include "ui/widgets/value_slider.h"
 
 namespace lacuna::ui {

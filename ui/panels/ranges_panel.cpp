@@ -5,7 +5,7 @@
 #include <QScrollArea>
 #include <array>
 
-#include "ui/widgets/transfer_plot.h"
+#include "ui/widgets/plot_paint.h"
 
 namespace lacuna::ui {
 

@@ -8,7 +8,7 @@
 #include "ui/core_sentences.h"
 #include "ui/number_text.h"
 #include "ui/tab_chain.h"
-#include "ui/widgets/table_header.h"
+#include "ui/widgets/row_table.h"
 #include "ui/widgets/value_slider.h"
 
 namespace lacuna::ui {
@@ -73,6 +73,23 @@ void RegionsPanel::build() {
     clear_->setAccessibleName(tr("Select no region"));
     export_->setAccessibleName(tr("Export the region table"));
     note_->setEnabled(false);
+    sorted_->setSourceModel(model_);
+    sorted_->setSortRole(RegionModel::k_sort_role);
+    view_->setModel(sorted_);
+    view_->setAccessibleName(tr("Regions"));
+    choose_rows_of(view_);
+    sort_by_titles(view_);
+    chain_tabs({method_, lo_, hi_, width_, take_, connectivity_, min_voxels_, compute_, clear_, export_, view_});
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(6, 6, 6, 6);
+    row->addLayout(formColumn());
+    row->addWidget(view_, 1);
+    export_->setEnabled(false);
+    clear_->setEnabled(false);
+    compute_->setEnabled(false);
+}
+
+QLayout* RegionsPanel::formColumn() {
     auto* form = new QGridLayout;
     form->setVerticalSpacing(4);
     form->addWidget(method_, 0, 0);
@@ -91,26 +108,7 @@ void RegionsPanel::build() {
     form->addWidget(clear_, 4, 0);
     form->addWidget(export_, 4, 1);
     form->setRowStretch(5, 1);
-    sorted_->setSourceModel(model_);
-    sorted_->setSortRole(RegionModel::k_sort_role);
-    view_->setModel(sorted_);
-    view_->setAccessibleName(tr("Regions"));
-    view_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    view_->setSelectionMode(QAbstractItemView::SingleSelection);
-    view_->setSortingEnabled(true);
-    view_->sortByColumn(0, Qt::AscendingOrder);
-    view_->setAlternatingRowColors(true);
-    view_->setTabKeyNavigation(false);
-    view_->verticalHeader()->hide();
-    fit_headers(view_);
-    chain_tabs({method_, lo_, hi_, width_, take_, connectivity_, min_voxels_, compute_, clear_, export_, view_});
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(6, 6, 6, 6);
-    row->addLayout(form);
-    row->addWidget(view_, 1);
-    export_->setEnabled(false);
-    clear_->setEnabled(false);
-    compute_->setEnabled(false);
+    return form;
 }
 
 void RegionsPanel::showMethod() {

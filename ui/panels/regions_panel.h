@@ -38,6 +38,7 @@ Q_SIGNALS:
 
 private:
     void build();
+    QLayout* formColumn();
     void showMethod();
     void takeRange();
 

@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 
 #include "ui/number_text.h"
-#include "ui/widgets/transfer_plot.h"
+#include "ui/widgets/plot_paint.h"
 
 namespace lacuna::ui {
 

@@ -12,6 +12,7 @@
 #include "ui/core_sentences.h"
 #include "ui/number_text.h"
 #include "ui/widgets/error_badge.h"
+#include "ui/widgets/row_table.h"
 
 namespace lacuna::ui {
 
@@ -96,14 +97,9 @@ SpeedPanel::SpeedPanel(QWidget* parent)
     table_->setAccessibleName(tr("Plans measured"));
     table_->setToolTip(tr("Enter or a double click uses a plan"));
     table_->setHorizontalHeaderLabels({tr("Plan"), tr("ms"), tr("Error /255"), tr("Build ms"), tr("MiB")});
-    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setSelectionMode(QAbstractItemView::SingleSelection);
-    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table_->setTabKeyNavigation(false);
+    choose_rows_of(table_);
     table_->setShowGrid(false);
     table_->setAlternatingRowColors(true);
-    table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
     table_->horizontalHeader()->setSectionResizeMode(k_plan, QHeaderView::Stretch);
     for (int c = k_time; c < k_columns; ++c)
         table_->horizontalHeader()->setSectionResizeMode(c, QHeaderView::ResizeToContents);

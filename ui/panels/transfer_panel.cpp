@@ -11,6 +11,7 @@
 #include "core/session/preset_settings.h"
 #include "core/session/shown_part.h"
 #include "ui/tab_chain.h"
+#include "ui/widgets/plot_paint.h"
 
 namespace lacuna::ui {
 

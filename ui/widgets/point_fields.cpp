@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "ui/number_text.h"
+#include "ui/widgets/plot_paint.h"
 #include "ui/widgets/value_slider.h"
 
 namespace lacuna::ui {

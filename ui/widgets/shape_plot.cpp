@@ -9,7 +9,7 @@
 
 #include "ui/number_text.h"
 #include "ui/theme.h"
-#include "ui/widgets/transfer_plot.h"
+#include "ui/widgets/plot_paint.h"
 
 namespace lacuna::ui {
 
@@ -227,17 +227,10 @@ void ShapePlot::paintShape(QPainter& painter, const TransferShape& shape, bool c
 }
 
 void ShapePlot::paintAxes(QPainter& painter) const {
-    QFont small = font();
-    small.setPointSizeF(font().pointSizeF() * 0.85);
-    painter.setFont(small);
-    painter.setPen(theme::colors().dim);
     const QRectF foot(plotRect().left(), plotRect().bottom() + 4, plotRect().width(), k_foot - 6);
-    painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, number_text(values_.lo, 'g', 5));
-    painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter, number_text(values_.hi, 'g', 5));
+    paint_axis_ends(painter, *this, foot, values_);
     painter.drawText(foot, Qt::AlignCenter, tr("value →  ↑ gradient to %1 per mm").arg(number_text(steepest_, 'g', 5)));
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(hasFocus() ? theme::colors().accent : theme::colors().border, 1));
-    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+    paint_frame(painter, *this);
 }
 
 void ShapePlot::mousePressEvent(QMouseEvent* event) {

@@ -97,8 +97,4 @@ private:
     std::optional<double> snapped_to_;  ///< drawn as a line while a point lies there
 };
 
-/// sRGB 0..1 and back.
-QColor to_qcolor(const glm::dvec3& color);
-glm::dvec3 from_qcolor(const QColor& color);
-
 }  // namespace lacuna::ui
