@@ -20,7 +20,6 @@ public:
     VolumeView* volumeView() const { return volume_; }
     SliceView* slice(SliceKind kind) const { return slices_[std::size_t(kind)]; }
     const std::array<SliceView*, 3>& slices() const { return slices_; }
-    bool maximized() const { return maximized_ != nullptr; }
     Arrangement arrangement() const { return maximized_ ? Arrangement::single : shared_; }
     /// Arrangement and sizes, to be kept; restoreState() takes nothing from bytes it does not know.
     QByteArray saveState() const;

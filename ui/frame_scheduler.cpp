@@ -76,11 +76,6 @@ void FrameScheduler::setScene(const Scene& scene, const Plan& plan) {
     changed();
 }
 
-void FrameScheduler::clear() {
-    scene_.reset();
-    cancel();
-}
-
 void FrameScheduler::cancel() {
     still_.stop();
     job_.cancel();

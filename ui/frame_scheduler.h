@@ -49,8 +49,6 @@ public:
     /// Size of the picture in device pixels; an empty one stops.
     void setSize(QSize pixels);
     void setScene(const Scene& scene, const Plan& plan);
-    /// Forgets the scene and stops.
-    void clear();
     /// Stops the frame being drawn; the next change starts again.
     void cancel();
     bool busy() const { return job_.running() || still_.isActive(); }

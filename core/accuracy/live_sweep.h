@@ -29,7 +29,6 @@ public:
 
     /// The place of the plan to visit next among result().points; none when all rounds are done.
     std::optional<std::size_t> next() const;
-    bool first_round() const { return visits_ < order_.size(); }
     /// Takes the visit of the plan next() named.
     void add(const Visit& visit);
     /// Adds a plan that came into use later; it is measured next. Does nothing for one that is listed.

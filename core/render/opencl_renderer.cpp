@@ -532,7 +532,8 @@ Frame OpenClRenderer::cast_sparsely(const Cast& cast, const RayParams& params) {
     std::vector<std::uint8_t> marked;
     if (cast.plan.sparse_aware) {
         const auto [cells, classes] = structures_.classes(cast.scene, cast.plan, cast.tables, cast.job);
-        marked = blocks_with_hidden_cells(cast.scene, every_kth, grid, cells, classes, cast.plan.sparse_gradient);
+        marked = blocks_with_hidden_cells(cast.scene, every_kth, grid, cells, classes, cast.plan.sparse_gradient,
+                                          {cast.job.stop});
     }
     cast_tiles(cast, params,
                tiles_to_recast(every_kth, grid, cast.plan.sparse_gradient, edge_depth_mm(grid, pixel_mm), marked),

@@ -121,8 +121,6 @@ std::vector<glm::dvec3> section_of(const CuttingPlane& plane, const GridGeometry
     return corners;
 }
 
-CuttingPlane flipped(const CuttingPlane& plane) { return {-plane.normal, -plane.offset, plane.cap}; }
-
 CuttingPlane moved(const CuttingPlane& plane, double mm, const GridGeometry& geometry) {
     const double length = glm::length(plane.normal);
     const glm::dvec3 n = plane.normal / length;

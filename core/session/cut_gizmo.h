@@ -19,9 +19,6 @@ double half_extent_mm(const glm::dvec3& direction, const GridGeometry& geometry)
 /// meet, or meet in an edge or a corner alone.
 std::vector<glm::dvec3> section_of(const CuttingPlane& plane, const GridGeometry& geometry);
 
-/// The same plane seen from its other side: what was kept is cut away.
-CuttingPlane flipped(const CuttingPlane& plane);
-
 /// A plane moved along its normal into the kept half; clamped so that it still meets the volume.
 CuttingPlane moved(const CuttingPlane& plane, double mm, const GridGeometry& geometry);
 

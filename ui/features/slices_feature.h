@@ -13,7 +13,6 @@ class SlicesFeature final : public QObject {
 public:
     SlicesFeature(Workbench& bench, SlicesPanel* panel);
 
-
 private:
     void addWindows();
     void addSlabs();

@@ -70,12 +70,6 @@ ViewRays VolumeView::rays() const {
     return resolve(camera, *geometry_, {std::max(1, width()), std::max(1, height())});
 }
 
-void VolumeView::clear() {
-    geometry_.reset();
-    image_ = {};
-    update();
-}
-
 void VolumeView::edit(const Camera& camera) {
     if (!geometry_ || camera == camera_) return;
     camera_ = camera;

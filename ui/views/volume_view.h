@@ -40,8 +40,6 @@ public:
     void addTool(ViewTool* tool) { tools_.push_back(tool); }
     /// The rays of the view in logical pixels. @pre a geometry was set
     lacuna::ViewRays rays() const;
-    bool hasGeometry() const { return geometry_.has_value(); }
-    void clear();
     QSize sizeHint() const override { return {480, 400}; }
 
 public Q_SLOTS:

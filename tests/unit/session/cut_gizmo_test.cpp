@@ -94,14 +94,6 @@ TEST(Section, APlaneBesideTheVolumeHasNone) {
     EXPECT_TRUE(section_of(plane, geometry).empty());
 }
 
-TEST(PlaneEdit, FlippingKeepsTheOtherHalfAndTwiceIsNothing) {
-    const CuttingPlane plane{{0.3, -2, 0.7}, 4, false};
-    const CuttingPlane other = flipped(plane);
-    EXPECT_DOUBLE_EQ(signed_distance(other, {5, 6, 7}), -signed_distance(plane, {5, 6, 7}));
-    EXPECT_FALSE(other.cap);
-    EXPECT_EQ(flipped(other), plane);
-}
-
 TEST(PlaneEdit, MovingStopsAtTheVolume) {
     const GridGeometry geometry = grid();
     const CuttingPlane plane = through_centre({1, 1, 1}, geometry);
