@@ -48,7 +48,7 @@ std::vector<SeriesEntry> list_series(const std::string& input, const JobContext&
 /// The list AmbiguousInput and an unknown --series show: number, description, size, slices, UID, one a line.
 std::string format_series(const std::vector<SeriesEntry>& entries);
 
-/// Opens any INPUT of the contract: DICOM folder or file, mhd mha nrrd nhdr nii nii.gz, TIFF stack or multi-page,
+/// Opens any INPUT of the contract: DICOM folder or file, mhd mha nrrd nhdr nii nii.gz hdr, TIFF stack or multi-page,
 /// raw with `raw` or a sidecar or its own name, `sample:NAME[@SIZE]` with SIZE one number of voxels or WxHxD.
 /// @throws Error(bad_input) and Error(unsupported) naming file, fault and what to do; AmbiguousInput; Error(cancelled)
 Volume open_volume(const std::string& input, const OpenOptions& options = {}, const JobContext& job = {});
