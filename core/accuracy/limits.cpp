@@ -21,6 +21,32 @@ std::string_view name_of(Guard guard) {
     return "";
 }
 
+std::string_view title_of(LimitTopic topic) {
+    switch (topic) {
+        case LimitTopic::surfaces:
+            return "Isosurfaces";
+        case LimitTopic::emission_absorption:
+            return "Emission-absorption";
+        case LimitTopic::projections:
+            return "Projections";
+        case LimitTopic::shear_warp:
+            return "Shear-warp";
+        case LimitTopic::structures:
+            return "Structures";
+        case LimitTopic::sparse:
+            return "Sparse casting";
+        case LimitTopic::effects:
+            return "Effects";
+        case LimitTopic::volumes:
+            return "Rays and voxels";
+        case LimitTopic::regions:
+            return "Regions";
+        case LimitTopic::measures:
+            return "Measures";
+    }
+    return "";
+}
+
 std::vector<const Limit*> limits_of(const Scene& scene, const Plan& plan) {
     std::vector<const Limit*> all;
     for (const Limit& limit : limits())

@@ -28,6 +28,7 @@ enum class LimitTopic {
     regions,
     measures
 };
+std::string_view title_of(LimitTopic topic);
 
 /// That a scene meets a failure.
 struct LimitMet {

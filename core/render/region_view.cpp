@@ -10,6 +10,7 @@ constexpr NameTable<RegionView, 3> k_view_names{
     {{RegionView::show, "show"}, {RegionView::hide, "hide"}, {RegionView::only, "only"}}};
 }
 
+std::string_view name_of(RegionView view) { return name_in(k_view_names, view); }
 RegionView parse_region_view(std::string_view text) { return parse_name(k_view_names, text, "view of regions"); }
 
 RegionClasses make_region_classes(const Volume& volume, const RegionViewOptions& options, const JobContext& job) {

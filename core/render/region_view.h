@@ -14,6 +14,7 @@ namespace lacuna {
 /// Whether voxels of homogeneous regions are drawn, hidden, or drawn alone (Frey & Ertl 2009, section 5).
 enum class RegionView { show, hide, only };
 
+std::string_view name_of(RegionView view);
 /// @throws Error(bad_usage) listing the known names
 RegionView parse_region_view(std::string_view text);
 
