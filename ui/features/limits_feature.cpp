@@ -10,8 +10,6 @@ namespace lacuna::ui {
 
 namespace {
 
-QString utf8(std::string_view text) { return QString::fromUtf8(text.data(), qsizetype(text.size())); }
-
 /// A text of the catalogue in the window's language; `words` between accents become typed ones.
 QString in_words(std::string_view text) {
     const QStringList parts =
