@@ -41,18 +41,23 @@ protected:
         QApplication::processEvents();
         return *window_;
     }
+    /// Until every widget has the place its words ask for: a frame's may have changed with the last event.
+    static void settle() {
+        QApplication::processEvents();
+        QApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    }
     /// Calls `check` with every page of the panels and every dock in view, one after the other.
     template <class Check>
     static void eachPanel(MainWindow& window, Check&& check) {
         for (int page = 0; page < window.tabs()->count(); ++page) {
             window.tabs()->setCurrentIndex(page);
-            QApplication::processEvents();
+            settle();
             check("page " + window.tabs()->tabText(page).toStdString());
         }
         for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
             dock->show();
             dock->raise();
-            QApplication::processEvents();
+            settle();
             check("dock " + dock->windowTitle().toStdString());
         }
     }
