@@ -145,7 +145,7 @@ void RenderOptions::parse_camera() {
         for_flag("--perspective " + *words_.perspective, [&] {
             Camera alone;
             alone.fov_deg = camera_.fov_deg;
-            resolve(alone, GridGeometry{}, {1, 1});
+            check(alone);
         });
     if (words_.center) {
         const std::vector<double> v = parse_numbers("--center", *words_.center, 3);

@@ -55,6 +55,8 @@ inline constexpr const char* k_picture_sentences[] = {
     QT_TRANSLATE_NOOP("CoreSentence", "The zoom must be a positive number."),
     QT_TRANSLATE_NOOP("CoreSentence",
                       "The field of view must lie from 0.01 to below 180 degrees; parallel rays need none."),
+    QT_TRANSLATE_NOOP("CoreSentence", "The camera's angles must be finite numbers."),
+    QT_TRANSLATE_NOOP("CoreSentence", "The centre looked at must be finite numbers."),
     QT_TRANSLATE_NOOP("CoreSentence", "The image size must be 1 to 16384 pixels on each side."),
     QT_TRANSLATE_NOOP("CoreSentence",
                       "There is no region %1; the volume has regions 1 to %2 (lacuna regions lists them)."),

@@ -6,7 +6,7 @@
 
 namespace lacuna {
 
-ViewRays resolve(const Camera& camera, const GridGeometry& geometry, glm::ivec2 image_size) {
+void check(const Camera& camera) {
     if (!(camera.zoom > 0) || !std::isfinite(camera.zoom))
         throw Error(Errc::bad_usage, "The zoom must be a positive number.");
     // Rays of smaller fields start so far away that single precision loses the volume; they are parallel to the eye.
@@ -14,6 +14,14 @@ ViewRays resolve(const Camera& camera, const GridGeometry& geometry, glm::ivec2 
     if (camera.fov_deg && !(*camera.fov_deg >= k_least_fov_deg && *camera.fov_deg < 180))
         throw Error(Errc::bad_usage,
                     "The field of view must lie from 0.01 to below 180 degrees; parallel rays need none.");
+    if (!std::isfinite(camera.azimuth_deg) || !std::isfinite(camera.elevation_deg) || !std::isfinite(camera.roll_deg))
+        throw Error(Errc::bad_usage, "The camera's angles must be finite numbers.");
+    if (camera.center_mm && !std::isfinite(camera.center_mm->x + camera.center_mm->y + camera.center_mm->z))
+        throw Error(Errc::bad_usage, "The centre looked at must be finite numbers.");
+}
+
+ViewRays resolve(const Camera& camera, const GridGeometry& geometry, glm::ivec2 image_size) {
+    check(camera);
     if (image_size.x < 1 || image_size.y < 1 || image_size.x > 16384 || image_size.y > 16384)
         throw Error(Errc::bad_usage, "The image size must be 1 to 16384 pixels on each side.");
 

@@ -42,7 +42,11 @@ struct ViewRays {
     glm::dvec2 project(const glm::dvec3& mm) const;
 };
 
-/// @throws Error(bad_usage) for zoom <= 0, a field of view outside [0.01, 180) or an image side outside 1..16384
+/// @throws Error(bad_usage) for a camera no picture can be drawn with: zoom <= 0, a field of view outside [0.01, 180),
+/// an angle or a centre that is not finite
+void check(const Camera& camera);
+
+/// @throws Error(bad_usage) as check(), and for an image side outside 1..16384
 ViewRays resolve(const Camera& camera, const GridGeometry& geometry, glm::ivec2 image_size);
 
 }  // namespace lacuna

@@ -125,7 +125,7 @@ std::string utc_now() {
 /// @throws Error(bad_input) for a camera no picture can be drawn with
 void check(const Camera& camera, const std::string& where) {
     try {
-        resolve(camera, GridGeometry{}, {1, 1});
+        check(camera);
     } catch (const Error& fault) {
         throw Error(Errc::bad_input, where + ".camera: " + fault.what());
     }

@@ -3333,6 +3333,10 @@
         <source>%1: %2/255 from brute force over the whole view and %3 ms a frame, both measured (error budget %4, time budget %5).</source>
         <translation>%1: %2/255 Abweichung von Brute Force über die ganze Ansicht und %3 ms je Bild, beides gemessen (Fehlerbudget %4, Zeitbudget %5).</translation>
     </message>
+    <message>
+        <source>The centre looked at must be finite numbers.</source>
+        <translation>Die Mitte, auf die geblickt wird, muss aus endlichen Zahlen bestehen.</translation>
+    </message>
 </context>
 <context>
     <name>Gestures</name>
