@@ -47,6 +47,13 @@ inline constexpr const char* k_file_sentences[] = {
     QT_TRANSLATE_NOOP("CoreSentence", "The DICOM segmentation cannot be made: %9 was refused (%1)."),
     QT_TRANSLATE_NOOP("CoreSentence", "The DICOM report cannot be made: %9 was refused (%1)."),
     QT_TRANSLATE_NOOP("CoreSentence", "A DICOM segmentation holds 1 to 65535 segments."),
+    QT_TRANSLATE_NOOP(
+        "CoreSentence",
+        "Cannot write %1: frames of %2 x %3 are larger than a DICOM segmentation's 65535 rows and columns; "
+        "inspect a part of it."),
+    QT_TRANSLATE_NOOP("CoreSentence",
+                      "Cannot write %1: its %2 segments take more than the 4 GiB of frames that a DICOM segmentation "
+                      "holds; inspect a part of the volume, or fewer defects."),
     QT_TRANSLATE_NOOP("CoreSentence", "The bytes are no RGB picture of the size given."),
     QT_TRANSLATE_NOOP("CoreSentence", "1 DICOM file without an image was left out."),
     QT_TRANSLATE_NOOP("CoreSentence", "%1 DICOM files without an image were left out."),

@@ -11,6 +11,8 @@
 #include <dcmtk/dcmseg/segdoc.h>
 #include <dcmtk/dcmseg/segment.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -42,6 +44,7 @@ public:
 
     void write(const std::vector<DicomSegment>& segments, const std::filesystem::path& target, const JobContext& job) {
         const glm::ivec3 n = labels_.geometry.size;
+        check_size(segments, target, job);
         copy_context(source_, made_, context_);
         create(n);
         add_shared_groups();
@@ -58,6 +61,48 @@ public:
     }
 
 private:
+    /// Pixel data state their length in 32 bits, an even one below the mark of "undefined" (PS3.5, 7.1); their rows and
+    /// columns in 16. What is larger is refused before a frame is made: DCMTK would cut the numbers down in silence.
+    void check_size(const std::vector<DicomSegment>& segments, const std::filesystem::path& target,
+                    const JobContext& job) const {
+        const glm::ivec3 n = labels_.geometry.size;
+        if (n.x > 65535 || n.y > 65535)
+            throw Error(Errc::unsupported, fmt::format("Cannot write {}: frames of {} x {} are larger than a DICOM "
+                                                       "segmentation's 65535 rows and columns; inspect a part of it.",
+                                                       target.string(), n.x, n.y));
+        constexpr std::uint64_t k_most_bits = 0xFFFFFFFEull * 8;
+        const std::uint64_t most = k_most_bits / (std::uint64_t(n.x) * std::uint64_t(n.y));
+        std::uint64_t planes = 0;
+        for (const DicomSegment& s : segments) planes += std::uint64_t(std::max(1, s.last.z - s.first.z + 1));
+        if (planes <= most) return;
+        std::uint64_t frames = 0;
+        for (std::size_t k = 0; k < segments.size(); ++k) {
+            std::uint64_t own = 0;
+            for (int z = segments[k].first.z; z <= segments[k].last.z; ++z) {
+                own += has_voxels(segments[k], k == 0, z);
+                if (frames + own <= most) continue;
+                throw Error(Errc::unsupported,
+                            fmt::format("Cannot write {}: its {} segments take more than the 4 GiB of frames that a "
+                                        "DICOM segmentation holds; inspect a part of the volume, or fewer defects.",
+                                        target.string(), segments.size()));
+            }
+            frames += std::max<std::uint64_t>(1, own);
+            job.check();
+        }
+    }
+
+    bool is_in(const DicomSegment& segment, bool is_part, int x, int y, int z) const {
+        const std::uint32_t id = is_part ? part_(x, y, z) : labels_(x, y, z);
+        return id != 0 && std::binary_search(segment.ids.begin(), segment.ids.end(), id);
+    }
+
+    bool has_voxels(const DicomSegment& segment, bool is_part, int z) const {
+        for (int y = segment.first.y; y <= segment.last.y; ++y)
+            for (int x = segment.first.x; x <= segment.last.x; ++x)
+                if (is_in(segment, is_part, x, y, z)) return true;
+        return false;
+    }
+
     void create(const glm::ivec3& n) {
         const IODGeneralEquipmentModule::EquipmentInfo equipment(made_.software.c_str(), made_.software.c_str(),
                                                                  made_.version.c_str(), made_.version.c_str());
@@ -122,8 +167,7 @@ private:
         bool any = false;
         for (int y = segment.first.y; y <= segment.last.y; ++y)
             for (int x = segment.first.x; x <= segment.last.x; ++x) {
-                const std::uint32_t id = is_part ? part_(x, y, z) : labels_(x, y, z);
-                if (id == 0 || !std::binary_search(segment.ids.begin(), segment.ids.end(), id)) continue;
+                if (!is_in(segment, is_part, x, y, z)) continue;
                 frame_[std::size_t(y) * std::size_t(grid.size.x) + std::size_t(x)] = 1;
                 any = true;
             }
@@ -154,7 +198,8 @@ private:
         ImageSOPInstanceReferenceMacro image;
         need(image.setReferencedSOPClassUID(nearest->sop_class_uid.c_str()), "the source's class");
         need(image.setReferencedSOPInstanceUID(nearest->sop_instance_uid.c_str()), "the source's UID");
-        if (nearest->frame > 0) need(image.addReferencedFrameNumber(Uint16(nearest->frame)), "the source's frame");
+        if (nearest->frame > 0 && nearest->frame <= 65535)
+            need(image.addReferencedFrameNumber(Uint16(nearest->frame)), "the source's frame");
         images.push_back(image);
         return FGDerivationImage::createMinimal(
             images, "Segmentation", CodeSequenceMacro("113076", "DCM", "Segmentation"),

@@ -25,7 +25,8 @@ struct DicomSegment {
 /// Label volumes as a DICOM Segmentation (PS3.3 A.51), binary, a frame a segment and plane where it has voxels, on the
 /// volume's own grid and in the source's frame of reference, each frame referring to the source image nearest to it.
 /// The first segment is taken from `part` (1 inside), the others from `labels`.
-/// Cost: rows x columns / 8 bytes a frame. @throws Error(io); Error(unsupported) for what DICOM refuses;
+/// Cost: rows x columns / 8 bytes a frame. @throws Error(io); Error(unsupported), with nothing written, for what DICOM
+/// refuses: no segment or more than 65535, planes of more than 65535 rows or columns, frames of 4 GiB or more;
 /// Error(cancelled)
 void write_dicom_segmentation(const MaskVolume& part, const LabelVolume& labels,
                               const std::vector<DicomSegment>& segments, const DicomSource& source,

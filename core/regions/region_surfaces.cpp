@@ -144,7 +144,7 @@ public:
         const glm::bvec3 off = glm::greaterThan(glm::abs(voxel - whole), glm::dvec3(1e-5));
         if (int(off.x) + int(off.y) + int(off.z) != 1) return;
         const int axis = off.x ? 0 : (off.y ? 1 : 2), u = (axis + 1) % 3, v = (axis + 2) % 3;
-        Ends& ends = ends_[axis][std::size_t(int(whole[v]) * extent_[u] + int(whole[u]))];
+        Ends& ends = ends_[axis][std::size_t(whole[v]) * std::size_t(extent_[u]) + std::size_t(whole[u])];
         if (voxel[axis] < ends.lo) ends.lo = voxel[axis], ends.at_lo = mm;
         if (voxel[axis] > ends.hi) ends.hi = voxel[axis], ends.at_hi = mm;
     }
