@@ -45,11 +45,25 @@ struct Counted {
     std::string study, patient;
 };
 
+/// The library does not report a disk that ran full when it closes a file: the length tells, of a deflated file that of
+/// what comes out of it.
+bool is_whole(const fs::path& written, DcmDataset& set, E_TransferSyntax syntax) {
+    const std::uint32_t expected = set.calcElementLength(syntax, EET_ExplicitLength);
+    std::error_code ec;
+    const std::uintmax_t bytes = fs::file_size(written, ec);
+    if (ec || bytes == 0) return false;
+    if (syntax != EXS_DeflatedLittleEndianExplicit) return bytes >= expected;
+    DcmFileFormat back;
+    return back.loadFile(written.c_str()).good() &&
+           back.getDataset()->calcElementLength(syntax, EET_ExplicitLength) >= expected;
+}
+
 Counted export_file(const Plan& plan, const fs::path& folder, const Pseudonyms& names,
                     const AnonymiseOptions& options) {
     Counted counted;
     DcmFileFormat source;
-    if (source.loadFile(plan.file.c_str()).bad()) {
+    // All of it: what cannot be read must not come up while writing, where it would look like a full disk.
+    if (source.loadFile(plan.file.c_str()).bad() || source.loadAllDataIntoMemory().bad()) {
         counted.what = Counted::What::unreadable;
         return counted;
     }
@@ -74,14 +88,11 @@ Counted export_file(const Plan& plan, const fs::path& folder, const Pseudonyms& 
     const OFCondition saved =
         made.saveFile(target.c_str(), syntax, EET_ExplicitLength, EGL_withoutGL, EPD_withoutPadding);
     (void)made.getAndRemoveDataset();
-    std::error_code ec;
-    const std::uintmax_t bytes = fs::file_size(target, ec);
-    const bool deflated = syntax == EXS_DeflatedLittleEndianExplicit;
-    const std::uintmax_t expected = deflated ? 1 : set.calcElementLength(syntax, EET_ExplicitLength);
-    if (saved.good() && !ec && bytes >= expected) return counted;
-    if (saved == EC_InvalidStream || ec || saved.good())
+    if (saved.good() && is_whole(target, set, syntax)) return counted;
+    if (saved.good() || saved == EC_InvalidStream || saved == EC_StreamNotifyClient)
         throw Error(Errc::io, "Cannot write the anonymised images to " + folder.parent_path().string() +
                                   ": the disk is full or the file size is limited; nothing was written.");
+    std::error_code ec;
     fs::remove(target, ec);
     counted.what = Counted::What::unreadable;
     return counted;

@@ -1,6 +1,7 @@
 // What cannot be done: one line, status 1 (130 when interrupted), nothing half-written.
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 
 #include "tests/cli/program.h"
@@ -67,6 +68,27 @@ TEST_F(Failure, DiskFullLeavesNoHalfWrittenFile) {
     expect_failure(lacuna({"regions", "sample:spheres@32", "--threshold", "otsu,max", "--csv", path("r.csv")}, full), 1,
                    "r.csv");
     EXPECT_TRUE(files().empty()) << files().front();
+}
+
+TEST_F(Failure, AnonymisedImagesThatDoNotFitAreNoUnreadableOnes) {
+    fs::create_directory(path("in"));
+    ASSERT_EQ(lacuna({"convert", "sample:head@16", path("in/small")}).status, 0);
+    ASSERT_EQ(lacuna({"convert", "sample:head@64", path("in/large")}).status, 0);
+    Surroundings full;
+    full.file_size_limit = 5000;  // room for the small ones
+    expect_failure(lacuna({"convert", path("in"), path("out"), "--anonymise", "--quiet"}, full), 1, "disk is full");
+    EXPECT_EQ(files(), std::vector<std::string>{"in"});
+}
+
+TEST_F(Failure, AnonymisedDeflatedImageThatDoesNotFit) {
+    const char* data = std::getenv("LACUNA_TEST_DATA");
+    if (!data) GTEST_SKIP() << "skipped: LACUNA_TEST_DATA is not set";
+    const std::string image = std::string(data) + "/dicom_zoo/one_ct_image_in_many_syntaxes/ctimage_deflated.dcm";
+    ASSERT_EQ(lacuna({"convert", image, path("whole"), "--anonymise"}).status, 0);
+    Surroundings full;
+    full.file_size_limit = 100000;
+    expect_failure(lacuna({"convert", image, path("out"), "--anonymise"}, full), 1, "disk is full");
+    EXPECT_EQ(files(), std::vector<std::string>{"whole"});
 }
 
 TEST_F(Failure, MeshesThatDoNotFitAreTakenBackWithTheirFolder) {
