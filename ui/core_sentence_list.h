@@ -144,6 +144,9 @@ inline constexpr const char* k_core_sentences[] = {
         "CoreSentence",
         "Cannot write %1: the folder is not empty and holds no %2; name a new one, so that nothing is mixed."),
     QT_TRANSLATE_NOOP("CoreSentence",
+                      "Cannot write %1: the folder that stands there also holds %2, which would be lost; move that, or "
+                      "name another folder."),
+    QT_TRANSLATE_NOOP("CoreSentence",
                       "Cannot write %1: it needs %2 beside it, and there is such a file already; choose another name."),
     QT_TRANSLATE_NOOP("CoreSentence", "Cannot write %1: its ending names no format; known are %2."),
     QT_TRANSLATE_NOOP("CoreSentence",

@@ -52,8 +52,9 @@ void no_longer_filled(const fs::path& folder) {
 
 }  // namespace
 
-AtomicFolder::AtomicFolder(const fs::path& target, const std::string& mark) : target_(without_slash(target)) {
-    check(target_, mark);
+AtomicFolder::AtomicFolder(const fs::path& target, const std::vector<std::string>& own)
+    : target_(without_slash(target)), own_(own) {
+    check(target_, own_);
     temporary_ = parent_of(target_) / ("." + std::to_string(::getpid()) + suffix_of(target_));
     const std::lock_guard lock(being_filled().mutex);
     if (being_filled().folders.contains(temporary_))
@@ -71,7 +72,7 @@ AtomicFolder::~AtomicFolder() {
     if (!committed_) no_longer_filled(temporary_);
 }
 
-void AtomicFolder::check(const fs::path& wanted, const std::string& mark) {
+void AtomicFolder::check(const fs::path& wanted, const std::vector<std::string>& own) {
     const fs::path target = without_slash(wanted);
     std::error_code ec;
     if (!fs::is_directory(parent_of(target), ec))
@@ -81,14 +82,23 @@ void AtomicFolder::check(const fs::path& wanted, const std::string& mark) {
     if (!fs::exists(target, ec)) return;
     if (!fs::is_directory(target, ec))
         throw Error(Errc::io, "Cannot write " + target.string() + ": it is no folder; name another one.");
-    if (fs::is_empty(target, ec) || (!mark.empty() && fs::exists(target / mark, ec))) return;
-    throw Error(Errc::io,
-                "Cannot write " + target.string() +
-                    (mark.empty() ? ": the folder is not empty" : ": the folder is not empty and holds no " + mark) +
-                    "; name a new one, so that nothing is mixed.");
+    if (fs::is_empty(target, ec)) return;
+    if (own.empty() || !fs::exists(target / own.front(), ec))
+        throw Error(Errc::io, "Cannot write " + target.string() +
+                                  (own.empty() ? ": the folder is not empty"
+                                               : ": the folder is not empty and holds no " + own.front()) +
+                                  "; name a new one, so that nothing is mixed.");
+    for (fs::directory_iterator at(target, ec), end; !ec && at != end; at.increment(ec)) {
+        const std::string name = at->path().filename().string();
+        if (std::find(own.begin(), own.end(), name) == own.end())
+            throw Error(Errc::io, "Cannot write " + target.string() + ": the folder that stands there also holds " +
+                                      name + ", which would be lost; move that, or name another folder.");
+    }
+    if (ec) throw_cannot_write(target, ec.value());
 }
 
 void AtomicFolder::commit() {
+    check(target_, own_);  // somebody may have put a file there meanwhile
     std::error_code ec;
     const bool replaces = fs::exists(target_, ec) && !fs::is_empty(target_, ec);
     if (replaces && exchange(temporary_, target_)) {

@@ -22,6 +22,13 @@ namespace fs = std::filesystem;
 
 constexpr const char* k_mark = "report.json";            // tells a report folder from any other
 constexpr std::int64_t k_most_segment_bytes = 64 << 20;  // of all frames that defects have of their own
+constexpr std::size_t k_most_segments = 65533;           // of the part and defects; two kinds may share one each
+
+/// All that a report folder can hold, its mark first.
+std::vector<std::string> report_files() {
+    return {k_mark,        "report.html", "report.pdf", "defects.csv", "defects.stl",
+            "labels.nrrd", "seg.dcm",     "sr.dcm",     "key.dcm"};
+}
 
 /// All defects' surfaces, one behind the other.
 TriangleMesh all_surfaces(const Volume& volume, const PartAnalysis& analysis, const JobContext& job) {
@@ -70,7 +77,7 @@ Segments segments_of(const InspectionReport& report, const DicomProvenance& made
         bytes += frame * (defect.bbox_last.z - defect.bbox_first.z + 1);
         const std::string type(name_of(defect.type));
         int& shared = rest[defect.type == DefectType::void_ ? 0 : 1];
-        if (bytes <= k_most_segment_bytes) {
+        if (bytes <= k_most_segment_bytes && segments.list.size() < k_most_segments) {
             const std::string label = "Defect " + std::to_string(id);
             segments.list.push_back({label,
                                      type,
@@ -164,10 +171,10 @@ void write_dicom_files(const InspectionReport& report, const fs::path& folder, c
 
 }  // namespace
 
-void check_report_folder(const fs::path& folder) { AtomicFolder::check(folder, k_mark); }
+void check_report_folder(const fs::path& folder) { AtomicFolder::check(folder, report_files()); }
 
 void write_report(const InspectionReport& report, const Volume& volume, const fs::path& folder, const JobContext& job) {
-    AtomicFolder output(folder, k_mark);
+    AtomicFolder output(folder, report_files());
     const fs::path& to = output.path();
     write_labels(report.analysis.labels, to / "labels.nrrd", job.part(0, 0.2));
     write_mesh(all_surfaces(volume, report.analysis, job.part(0.2, 0.5)), to / "defects.stl");

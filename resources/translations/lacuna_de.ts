@@ -316,6 +316,10 @@
         <translation>%1 kann nicht geschrieben werden: Der Ordner ist nicht leer und enthält kein %2; bitte einen neuen nennen, damit sich nichts vermischt.</translation>
     </message>
     <message>
+        <source>Cannot write %1: the folder that stands there also holds %2, which would be lost; move that, or name another folder.</source>
+        <translation>%1 kann nicht geschrieben werden: Der Ordner, der dort steht, enthält auch %2, was verloren ginge; bitte das verschieben oder einen anderen Ordner nennen.</translation>
+    </message>
+    <message>
         <source>Cannot write %1: it needs %2 beside it, and there is such a file already; choose another name.</source>
         <translation>%1 kann nicht geschrieben werden: Daneben muss %2 stehen, und eine solche Datei gibt es schon; bitte einen anderen Namen wählen.</translation>
     </message>
@@ -706,6 +710,14 @@
     <message>
         <source>A DICOM segmentation holds 1 to 65535 segments.</source>
         <translation>Eine DICOM-Segmentierung fasst 1 bis 65535 Segmente.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: frames of %2 x %3 are larger than a DICOM segmentation&apos;s 65535 rows and columns; inspect a part of it.</source>
+        <translation>%1 kann nicht geschrieben werden: Bilder von %2 x %3 sind größer als die 65535 Zeilen und Spalten einer DICOM-Segmentierung; bitte einen Teil davon prüfen.</translation>
+    </message>
+    <message>
+        <source>Cannot write %1: its %2 segments take more than the 4 GiB of frames that a DICOM segmentation holds; inspect a part of the volume, or fewer defects.</source>
+        <translation>%1 kann nicht geschrieben werden: Die %2 Segmente brauchen mehr als die 4 GiB an Bildern, die eine DICOM-Segmentierung fasst; bitte einen Teil des Volumens prüfen oder weniger Fehlstellen.</translation>
     </message>
     <message>
         <source>The bytes are no RGB picture of the size given.</source>

@@ -54,6 +54,19 @@ TEST_F(Inspect, SameInputAndCriteriaGiveTheSameBytes) {
         EXPECT_EQ(bytes_of(folder_ / "a" / name), bytes_of(folder_ / "b" / name)) << name;
 }
 
+TEST_F(Inspect, AReportIsReplacedButNeverWhatSomebodyPutBesideIt) {
+    write_text(path("c.json"), k_easy);
+    const std::vector<std::string> words{"inspect",  "sample:casting@32", "--criteria", path("c.json"),
+                                         "--report", path("r"),           "--worst",    "0"};
+    ASSERT_EQ(lacuna(words).status, 0);
+    ASSERT_EQ(lacuna(words).status, 0);
+    write_text(path("r/limits.json"), k_easy);
+    const Outcome outcome = lacuna(words);
+    expect_failure(outcome, 1, "limits.json");
+    EXPECT_EQ(bytes_of(folder_ / "r/limits.json"), k_easy);
+    EXPECT_TRUE(fs::exists(path("r/report.json")));
+}
+
 TEST_F(Inspect, BadCriteriaAreRefusedBeforeAnyWork) {
     write_text(path("c.json"), R"({"limits": {"porosity": 1}})");
     // A volume this large takes seconds to make: the refusal must come before.

@@ -259,7 +259,7 @@ TEST_F(GermanTest, ReasonsAreTranslatedWithTheSentencesTheyStandIn) {
                 }).contains(QStringLiteral("3 Werte je Voxel")));
     write_file(folder.filePath(QStringLiteral("full.txt")).toStdString(), "x");
     EXPECT_TRUE(said_of([&] {
-                    AtomicFolder::check(folder.path().toStdString(), "report.json");
+                    AtomicFolder::check(folder.path().toStdString(), {"report.json"});
                 }).contains(QStringLiteral("report.json")));
 }
 

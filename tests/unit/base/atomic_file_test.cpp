@@ -84,6 +84,35 @@ TEST_F(AtomicFileTest, TwoJobsDoNotFillTheSameFolder) {
     EXPECT_TRUE(fs::is_directory(folder_ / "out"));
 }
 
+TEST_F(AtomicFileTest, AFolderOfItsKindIsReplacedUnlessItHoldsMore) {
+    const std::vector<std::string> own{"mark.json", "table.csv"};
+    const auto make = [&](const char* text) {
+        AtomicFolder folder(folder_ / "out", own);
+        std::ofstream(folder.path() / "mark.json") << text;
+        folder.commit();
+    };
+    make("first");
+    write_file(folder_ / "out" / "table.csv", "x");
+    make("second");
+    EXPECT_EQ(read_file(folder_ / "out" / "mark.json"), "second");
+    EXPECT_FALSE(fs::exists(folder_ / "out" / "table.csv"));
+    write_file(folder_ / "out" / "scan.nrrd", "somebody's own");
+    const Error refused = error_of([&] { make("third"); });
+    EXPECT_EQ(refused.code(), Errc::io);
+    EXPECT_NE(std::string(refused.what()).find("scan.nrrd"), std::string::npos) << refused.what();
+    fs::remove(folder_ / "out" / "scan.nrrd");
+    const Error late = error_of([&] {
+        AtomicFolder folder(folder_ / "out", own);
+        std::ofstream(folder.path() / "mark.json") << "fourth";
+        write_file(folder_ / "out" / "scan.nrrd", "put there meanwhile");
+        folder.commit();
+    });
+    EXPECT_EQ(late.code(), Errc::io);
+    EXPECT_EQ(read_file(folder_ / "out" / "mark.json"), "second");
+    EXPECT_EQ(read_file(folder_ / "out" / "scan.nrrd"), "put there meanwhile");
+    EXPECT_EQ(files(), 1u);
+}
+
 TEST_F(AtomicFileTest, MissingFolderIsNamed) {
     const Error e = error_of([&] { write_file(folder_ / "no" / "a.txt", "x"); });
     EXPECT_EQ(e.code(), Errc::io);
