@@ -1,10 +1,13 @@
 // The inspection panel and the effects panel in the whole window.
+#include <QDialog>
 #include <QFile>
 #include <QLabel>
 #include <QTemporaryDir>
 
 #include "core/base/atomic_file.h"
+#include "core/io/dicom_writer.h"
 #include "core/session/session_file.h"
+#include "core/volume/samples.h"
 #include "tests/gui/window_fixture.h"
 
 namespace lacuna::ui::test {
@@ -133,6 +136,32 @@ TEST_F(InspectionTest, OneReportDoesNotEndAnother) {
         << window->messageBar()->text().toStdString();
     for (const char* name : {"first", "second"})
         EXPECT_TRUE(QFile::exists(folder.filePath(QLatin1String(name) + QStringLiteral("/report.json")))) << name;
+}
+
+TEST_F(InspectionTest, TheReportOfOneSeriesOfSeveralIsOfThatSeries) {
+    QTemporaryDir folder;
+    for (const char* name : {"one", "other"}) {
+        SampleOptions options;
+        options.size = std::string_view(name) == "one" ? 24 : 32;
+        write_dicom_series(make_sample("casting", options).volume, folder.filePath(QLatin1String(name)).toStdString());
+    }
+    QSignalSpy asked(window->loader(), &LoadController::choiceNeeded);
+    window->openInput(folder.path());
+    ASSERT_TRUE(asked.wait(k_patience_ms)) << window->messageBar()->text().toStdString();
+    for (QDialog* dialog : window->findChildren<QDialog*>())
+        if (dialog->isVisible()) dialog->reject();
+    QSignalSpy loaded(window->loader(), &LoadController::finished);
+    OpenOptions second;
+    second.series = "2";
+    window->loader()->open(folder.path(), second);
+    ASSERT_TRUE(loaded.wait(k_patience_ms));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return window->bench()->engine() != nullptr; }, k_patience_ms));
+    const QString report = folder.filePath(QStringLiteral("report"));
+    window->inspection()->writeReport(report);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->messageBar()->text().isEmpty(); }, k_patience_ms));
+    EXPECT_FALSE(window->messageBar()->isError()) << window->messageBar()->text().toStdString();
+    EXPECT_TRUE(QFile::exists(report + QStringLiteral("/report.json")));
+    EXPECT_TRUE(QFile::exists(report + QStringLiteral("/seg.dcm")));
 }
 
 TEST_F(InspectionTest, DecisionsByHandAreNotWrittenOfOtherSettings) {

@@ -175,10 +175,11 @@ void InspectionFeature::writeReport(const QString& folder) {
     options.software = "Lacuna " LACUNA_VERSION;
     options.by_hand = panel_->judgement().by_hand;
     const Volume volume = bench_.documents()->document().volume;
+    const OpenOptions open = bench_.documents()->document().options;  // which series of several it is
     const Criteria criteria = panel_->form()->criteria();
     writes_.start(tr("Writing the report"), folder,
-                  [volume, criteria, options, folder, engine = bench_.engine()](const JobContext& job) mutable {
-                      if (volume.dicom) options.source = find_dicom_source(options.input, {}, job);
+                  [volume, criteria, options, open, folder, engine = bench_.engine()](const JobContext& job) mutable {
+                      if (volume.dicom) options.source = find_dicom_source(options.input, open, job);
                       const std::filesystem::path path = folder.toStdString();
                       check_report_folder(path);
                       const std::vector<ZoneMask> zones = lay_zones(criteria, volume.geometry(), job);
