@@ -114,6 +114,33 @@ TEST_F(PlotTest, FieldsTakeExactNumbers) {
     EXPECT_EQ(plot.function().points[2].value, 120);
 }
 
+TEST_F(PlotTest, FieldsSayWhereAPointStoodStill) {
+    PointFields fields(&plot, true);
+    fields.setLimits({-100, 300}, QString());
+    plot.select(2);
+    fields.valueField()->setValue(400);
+    ASSERT_EQ(fields.valueField()->value(), 120);  // against the next point
+    fields.valueField()->setValue(150);
+    EXPECT_EQ(plot.function().points[2].value, 120);
+    EXPECT_EQ(fields.valueField()->value(), 120);
+}
+
+TEST_F(PlotTest, FieldsKeepAPointFarBeyondTheData) {
+    TransferFunction function = plot.function();
+    function.points.push_back({3000, glm::dvec3(1), 1});  // of a file made for other data
+    plot.setFunction(function);
+    PointFields fields(&plot, true);
+    fields.setLimits({-100, 300}, QString());
+    const int last = int(function.points.size()) - 1;
+    plot.select(last);
+    EXPECT_EQ(fields.valueField()->value(), 3000);
+    fields.opacityField()->setValue(0.25);
+    EXPECT_EQ(plot.function().points.back().opacity, 0.25);
+    EXPECT_EQ(plot.function().points.back().value, 3000);
+    plot.select(0);
+    EXPECT_EQ(fields.valueField()->maximum(), 300);
+}
+
 TEST_F(PlotTest, TheHistogramIsLinearOrLogarithmic) {
     const QImage logarithmic = plot.grab().toImage();
     plot.setLogarithmic(false);

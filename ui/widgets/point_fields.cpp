@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/number_text.h"
@@ -62,6 +63,7 @@ void PointFields::setLimits(ValueRange limits, const QString& unit) {
     const QSignalBlocker quiet(value_);
     value_->setDecimals(steps.decimals);
     value_->setSingleStep(steps.step);
+    limits_ = limits;
     value_->setRange(limits.lo, limits.hi);
     value_->setSuffix(unit.isEmpty() ? QString() : QStringLiteral(" ") + unit);
     refresh();
@@ -77,7 +79,10 @@ void PointFields::refresh() {
     remove_->setEnabled(some && points.size() > 1);
     if (!some) return;
     const QSignalBlocker quiet_value(value_), quiet_opacity(opacity_);
-    value_->setValue(points[std::size_t(i)].value);
+    // A function made for other data may have points far beyond these: they are shown, and kept, where they are.
+    const double value = points[std::size_t(i)].value;
+    value_->setRange(std::min(limits_.lo, value), std::max(limits_.hi, value));
+    value_->setValue(value);
     opacity_->setValue(points[std::size_t(i)].opacity);
     QPixmap swatch(16, 16);
     swatch.fill(to_qcolor(points[std::size_t(i)].color));
@@ -98,7 +103,7 @@ void PointFields::editPoint() {
     if (std::abs(opacity_->value() - points[i].opacity) > 0.0005) function.points[i].opacity = opacity_->value();
     for (std::size_t k = 2; k < points.size(); ++k)
         if (points[k - 2].value >= points[k].value) return refresh();  // a third at one value has no place
-    if (function == plot_->function()) return;
+    if (function == plot_->function()) return refresh();  // it stands against its neighbour: so say the fields
     plot_->setFunction(function);
     Q_EMIT functionEdited(tr("Transfer function"), function);
 }

@@ -31,6 +31,7 @@ private:
     void pickColor();
 
     TransferPlot* plot_;
+    ValueRange limits_{0, 100};
     QDoubleSpinBox *value_, *opacity_;
     QPushButton *color_, *add_, *remove_;
 };
