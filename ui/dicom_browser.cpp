@@ -14,6 +14,7 @@
 #include "ui/file_choice.h"
 #include "ui/preferences.h"
 #include "ui/tab_chain.h"
+#include "ui/widgets/short_words.h"
 
 namespace lacuna::ui {
 
@@ -198,7 +199,7 @@ void DicomBrowser::look(const QString& input) {
         [this](Outcome<Catalogue> outcome) {
             if (const Error* error = std::get_if<Error>(&outcome)) {
                 status_->setText(error->code() == Errc::cancelled ? tr("Stopped; this is what was found until then.")
-                                                                  : core_sentence(error->what()));
+                                                                  : with_short_words(core_sentence(error->what())));
             } else {
                 showCatalogue(std::get<0>(outcome));
                 say(catalogue_, true);

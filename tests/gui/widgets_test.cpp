@@ -216,6 +216,17 @@ TEST(ValueSlider, SettersAreSilentAndNumbersExact) {
     EXPECT_EQ(spy.count(), 1);
 }
 
+TEST(ValueSlider, WhatWasSetBeyondTheLimitsIsSaidAsItIs) {
+    ValueSlider slider(QStringLiteral("level"));
+    slider.setLimits({0, 255});
+    slider.setValue(-300);  // as a window dragged by the mouse may be
+    EXPECT_EQ(slider.value(), -300);
+    EXPECT_EQ(slider.slider()->value(), 0);
+    slider.setValue(100);
+    slider.spin()->setValue(-20);  // what is typed stays within
+    EXPECT_EQ(slider.value(), 0);
+}
+
 TEST(TransferPlot, AKeptPointBeyondTheDataIsNotPulledIn) {
     TransferPlot plot;
     plot.resize(300, 180);
@@ -299,6 +310,20 @@ TEST(MessageBar, AQuestionOutlastsWhatElseIsSaid) {
     EXPECT_EQ(bar.answerButtons().size(), 1);
     bar.answerButtons().front()->click();
     EXPECT_TRUE(bar.isHidden());
+}
+
+TEST(MessageBar, AVeryLongFileNameMakesNoWindowWider) {
+    MessageBar bar;
+    const QString name = QStringLiteral("sehr_langer_name_").repeated(12);
+    bar.showError(QStringLiteral("Cannot write /data/%1.lacuna: no room.").arg(name));
+    EXPECT_LT(bar.minimumSizeHint().width(), 900);
+    EXPECT_TRUE(bar.text().startsWith(QStringLiteral("Cannot write /data/sehr_langer_name_")));
+    EXPECT_TRUE(bar.text().endsWith(QStringLiteral(".lacuna: no room.")));
+    const auto* label = bar.findChild<QLabel*>();
+    EXPECT_TRUE(label->toolTip().contains(name));  // all of it
+    bar.showNotice(QStringLiteral("Cannot write /data/short.lacuna."));
+    EXPECT_EQ(bar.text(), QStringLiteral("Cannot write /data/short.lacuna."));
+    EXPECT_TRUE(label->toolTip().isEmpty());
 }
 
 TEST(MessageBar, AQuestionLeavesWhatWasSaidBefore) {

@@ -6,6 +6,7 @@
 
 #include "ui/core_sentences.h"
 #include "ui/theme.h"
+#include "ui/widgets/short_words.h"
 
 namespace lacuna::ui {
 
@@ -73,7 +74,11 @@ void MessageBar::showWords() {
     QStringList words;
     for (const QString& part : {said_, question_})
         if (!part.isEmpty()) words << part;
-    if (!words.isEmpty()) label_->setText(words.join(QLatin1Char('\n')));
+    if (!words.isEmpty()) {
+        const QString whole = words.join(QLatin1Char('\n')), shown = with_short_words(whole);
+        label_->setText(shown);
+        label_->setToolTip(shown == whole ? QString() : whole);
+    }
     setVisible(!words.isEmpty());
     update();
 }

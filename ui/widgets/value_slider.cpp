@@ -65,8 +65,10 @@ void ValueSlider::setSteps(int decimals, double step) {
 }
 
 void ValueSlider::setValue(double value) {
-    if (spin_->value() == value) return;
     const QSignalBlocker quiet_spin(spin_), quiet_slider(slider_);
+    // What was set elsewhere (a window by the mouse, a plane by its handles) may lie beyond: the number stays true.
+    spin_->setRange(std::min(limits_.lo, value), std::max(limits_.hi, value));
+    if (spin_->value() == value) return;
     spin_->setValue(value);
     slider_->setValue(tickOf(value));
 }
