@@ -4,9 +4,9 @@
 #include "core/io/dicom_source.h"
 #include "core/io/open_limit.h"
 #include "core/io/plain_file.h"
-#include "core/render/brick_plan.h"
 #include "ui/core_sentences.h"
 #include "ui/hidden_names.h"
+#include "ui/memory_limit.h"
 #include "ui/preferences.h"
 
 namespace lacuna::ui {
@@ -15,15 +15,16 @@ namespace {
 
 /// Slices show any voxel at any time, so a window's volume must go into memory: what its header says is larger is
 /// refused before it is read.
-Volume open_in_memory(const std::string& name, const OpenOptions& options, const JobContext& job) {
+Volume open_in_memory(const std::string& name, const OpenOptions& options, std::uint64_t limit, const JobContext& job) {
     try {
-        return open_volume_within(name, options, default_memory_limit(), job);
+        return open_volume_within(name, options, limit, job);
     } catch (const Error& error) {
         if (error.code() != Errc::out_of_memory) throw;
-        throw Error(Errc::out_of_memory,
-                    (core_sentence(error.what()) + QLatin1Char(' ') +
-                     LoadController::tr("lacuna render draws large volumes in .raw and .mhd from disk."))
-                        .toStdString());
+        QString words = core_sentence(error.what());
+        if (limit < default_memory_limit())
+            words += QLatin1Char(' ') + LoadController::tr("This limit is that of the settings, page Computing.");
+        words += QLatin1Char(' ') + LoadController::tr("lacuna render draws large volumes in .raw and .mhd from disk.");
+        throw Error(Errc::out_of_memory, words.toStdString());
     }
 }
 
@@ -49,11 +50,12 @@ void add_screen_facts(Document& document, const JobContext& job) {
 
 void LoadController::open(const QString& input, const OpenOptions& options) {
     job_.start(
-        [name = input.toStdString(), options, hide = preferences::hide_patient()](const JobContext& job) {
+        [name = input.toStdString(), options, limit = memory_limit_bytes(),
+         hide = preferences::hide_patient()](const JobContext& job) {
             try {
                 if (options.raw.empty() && needs_raw_layout(name)) return Opened{.raw_file = true};
                 // Reading is most of it; the statistics take the rest.
-                Volume volume = open_in_memory(name, options, job.part(0, 0.9));
+                Volume volume = open_in_memory(name, options, limit, job.part(0, 0.9));
                 Opened opened{.document = make_document(name, std::move(volume), job.part(0.9, 1))};
                 opened.document.options = options;
                 if (opened.document.volume.dicom) add_screen_facts(opened.document, {job.stop, nullptr});

@@ -44,7 +44,7 @@ MainWindow::MainWindow(EngineFactory make_engine, QWidget* parent)
       side_(new QWidget(this)),
       close_guard_(new CloseGuard(bench_->tasks(), this)),
       engine_job_(this) {
-    setWindowTitle(tr("Lacuna"));
+    setWindowTitle(QStringLiteral("[*]Lacuna"));
     setAcceptDrops(true);
     setStatusBar(status_);
     buildCentre();

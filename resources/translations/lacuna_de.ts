@@ -2,6 +2,45 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>ColourMap</name>
+    <message>
+        <source>grey</source>
+        <translation>grau</translation>
+    </message>
+    <message>
+        <source>heat</source>
+        <translation>Glut</translation>
+    </message>
+    <message>
+        <source>meadow</source>
+        <translation>Wiese</translation>
+    </message>
+    <message>
+        <source>dusk</source>
+        <translation>Dämmerung</translation>
+    </message>
+    <message>
+        <source>ocean</source>
+        <translation>Meer</translation>
+    </message>
+    <message>
+        <source>bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>blood</source>
+        <translation>Blut</translation>
+    </message>
+    <message>
+        <source>cubehelix</source>
+        <translation>Cubehelix</translation>
+    </message>
+    <message>
+        <source>cold-warm</source>
+        <translation>kalt–warm</translation>
+    </message>
+</context>
+<context>
     <name>CoreSentence</name>
     <message>
         <source>Cannot open &apos;%1&apos;: there is no such file or folder.</source>
@@ -6591,6 +6630,10 @@
         <source>lacuna render draws large volumes in .raw and .mhd from disk.</source>
         <translation>lacuna render zeichnet große Volumen in .raw und .mhd von der Platte.</translation>
     </message>
+    <message>
+        <source>This limit is that of the settings, page Computing.</source>
+        <translation>Diese Grenze steht in den Einstellungen, Seite Rechnen.</translation>
+    </message>
 </context>
 <context>
     <name>lacuna::ui::LogStore</name>
@@ -6815,10 +6858,6 @@
     <message>
         <source>Volumes and sessions (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.hdr *.raw *.img *.vol *.dat *.vgi *.tif *.tiff *.lacuna);;All files (*)</source>
         <translation>Volumen und Sitzungen (*.dcm *.mhd *.mha *.nrrd *.nhdr *.nii *.nii.gz *.hdr *.raw *.img *.vol *.dat *.vgi *.tif *.tiff *.lacuna);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Lacuna</source>
-        <translation>Lacuna</translation>
     </message>
     <message>
         <source>Scene settings</source>
@@ -8838,10 +8877,6 @@
         <translation>75 % des Rechners</translation>
     </message>
     <message>
-        <source>Host and device memory together; larger volumes are streamed in bricks</source>
-        <translation>Speicher von Rechner und Gerät zusammen; größere Volumen werden in Blöcken nachgeladen</translation>
-    </message>
-    <message>
         <source>&amp;Device</source>
         <translation>&amp;Gerät</translation>
     </message>
@@ -8952,6 +8987,10 @@
     <message>
         <source>%1 (not found now)</source>
         <translation>%1 (gerade nicht gefunden)</translation>
+    </message>
+    <message>
+        <source>Host and device memory together; larger volumes are not opened in the window</source>
+        <translation>Speicher von Rechner und Gerät zusammen; größere Volumen werden im Fenster nicht geöffnet</translation>
     </message>
 </context>
 <context>

@@ -4,9 +4,12 @@
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QTableView>
 
+#include "core/classify/colour_maps.h"
 #include "tests/gui/window_fixture.h"
+#include "ui/colour_map_titles.h"
 #include "ui/language.h"
 #include "ui/panels/speed_panel.h"
 #include "ui/preferences.h"
@@ -74,6 +77,19 @@ std::vector<Named> names_of(const MainWindow& window) {
     for (const QWidget* widget : window.findChildren<QWidget*>())
         all.push_back({widget->metaObject()->className(), widget->accessibleName(), widget->accessibleDescription()});
     return all;
+}
+
+TEST_F(GermanWindow, ColourMapsHaveGermanNames) {
+    (void)made("de");
+    for (const std::string& name : colour_map_names()) {
+        if (name == "cubehelix") continue;  // Green's own name for it
+        EXPECT_NE(colour_map_title(name), QString::fromStdString(name));
+    }
+    const QAction* meadow = nullptr;
+    for (const QMenu* menu : window_->findChildren<QMenu*>())
+        for (const QAction* action : menu->actions())
+            if (action->text() == colour_map_title("meadow")) meadow = action;
+    EXPECT_TRUE(meadow);
 }
 
 TEST_F(GermanWindow, ControlsAreNamedInGerman) {

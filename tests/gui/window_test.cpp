@@ -9,6 +9,7 @@
 #include "core/io/volume_writer.h"
 #include "core/volume/samples.h"
 #include "tests/gui/window_fixture.h"
+#include "ui/preferences.h"
 
 namespace lacuna::ui::test {
 namespace {
@@ -290,6 +291,20 @@ TEST_F(WindowTest, EveryControlHasAName) {
         ++checked;
     }
     EXPECT_GT(checked, 40);
+}
+
+TEST_F(WindowTest, TheMemoryLimitOfTheSettingsHoldsForWhatIsOpened) {
+    preferences::set_memory_limit_mib(1);
+    QSignalSpy failed(window->loader(), &LoadController::failed);
+    window->openInput(QStringLiteral("sample:spheres@160"));
+    const bool refused = failed.wait(k_patience_ms);
+    preferences::set_memory_limit_mib(0);
+    ASSERT_TRUE(refused);
+    EXPECT_FALSE(window->documents()->hasDocument());
+    const QString words = window->messageBar()->text();
+    EXPECT_TRUE(words.contains(QStringLiteral("only 1 MB may be used"))) << words.toStdString();
+    EXPECT_TRUE(words.contains(QStringLiteral("settings"))) << words.toStdString();
+    open(QStringLiteral("sample:spheres@16"));
 }
 
 TEST_F(WindowTest, TwoSeriesAreOfferedForChoice) {

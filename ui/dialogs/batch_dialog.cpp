@@ -10,10 +10,11 @@
 #include <QVBoxLayout>
 
 #include "core/base/parallel.h"
-#include "core/render/brick_plan.h"
 
 #include "ui/core_sentences.h"
 #include "ui/file_choice.h"
+#include "ui/memory_limit.h"
+#include "ui/widgets/short_words.h"
 
 namespace lacuna::ui {
 
@@ -146,7 +147,7 @@ void BatchDialog::prepare() {
     asked.options.reference = reference_->text().trimmed().toStdString();
     asked.options.jobs = jobs_->value();
     asked.options.resume = resume_->isChecked();
-    asked.options.memory_bytes = default_memory_limit();
+    asked.options.memory_bytes = memory_limit_bytes();
     asked.options.software = "Lacuna " LACUNA_VERSION;
     const std::string parts = parts_->text().trimmed().toStdString();
     const std::string criteria = criteria_->text().trimmed().toStdString();
@@ -169,7 +170,8 @@ void BatchDialog::prepare() {
             if (Prepared* prepared = std::get_if<Prepared>(&outcome)) return start(std::move(*prepared));
             showRunning(false);
             const Error& error = std::get<Error>(outcome);
-            message_->setText(error.code() == Errc::cancelled ? tr("Cancelled.") : core_sentence(error.what()));
+            message_->setText(error.code() == Errc::cancelled ? tr("Cancelled.")
+                                                              : with_short_words(core_sentence(error.what())));
             Q_EMIT finished();
         });
     showRunning(true);

@@ -90,7 +90,7 @@ QWidget* SettingsDialog::computePage() {
     memory_->setSingleStep(k_memory_step_mib);
     memory_->setSuffix(tr(" MiB"));
     memory_->setSpecialValueText(tr("75 % of the machine's"));
-    memory_->setToolTip(tr("Host and device memory together; larger volumes are streamed in bricks"));
+    memory_->setToolTip(tr("Host and device memory together; larger volumes are not opened in the window"));
     memory_->setValue(preferences::memory_limit_mib());
     form->addRow(tr("&Device"), device_);
     form->addRow(tr("M&emory limit"), memory_);

@@ -3,6 +3,7 @@
 #include <QFileInfo>
 
 #include "core/classify/colour_maps.h"
+#include "ui/colour_map_titles.h"
 #include "ui/file_choice.h"
 
 namespace lacuna::ui {
@@ -65,7 +66,7 @@ void ColoursFeature::addActions() {
     QMenu* maps = menu->addMenu(tr("Colour &map"));
     for (const std::string& name : colour_map_names()) {
         const QString text = QString::fromStdString(name);
-        bench_.add(maps, text, {}, this, [this, text] { colours_->applyColorMap(text); });
+        bench_.add(maps, colour_map_title(name), {}, this, [this, text] { colours_->applyColorMap(text); });
     }
 }
 

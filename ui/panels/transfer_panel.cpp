@@ -10,6 +10,7 @@
 #include "core/classify/colour_maps.h"
 #include "core/session/preset_settings.h"
 #include "core/session/shown_part.h"
+#include "ui/colour_map_titles.h"
 #include "ui/tab_chain.h"
 #include "ui/widgets/plot_paint.h"
 
@@ -117,7 +118,7 @@ void TransferPanel::fillColorMaps() {
     auto* menu = new QMenu(maps_);
     for (const std::string& name : colour_map_names()) {
         const QString text = QString::fromStdString(name);
-        menu->addAction(swatch_of(name), text, this, [this, text] { applyColorMap(text); });
+        menu->addAction(swatch_of(name), colour_map_title(name), this, [this, text] { applyColorMap(text); });
     }
     menu->addSeparator();
     menu->addAction(tr("Reverse the colours"), this,
@@ -253,7 +254,8 @@ void TransferPanel::applyColorMap(const QString& name) {
     const bool several = chosen.size() > 1;
     const std::size_t first = several ? std::size_t(*chosen.begin()) : 0;
     const std::size_t last = several ? std::size_t(*chosen.rbegin()) : function().points.size() - 1;
-    edit(tr("Colour map %1").arg(name), with_colour_map(function(), name.toStdString(), first, last), true);
+    edit(tr("Colour map %1").arg(colour_map_title(name.toStdString())),
+         with_colour_map(function(), name.toStdString(), first, last), true);
 }
 
 void TransferPanel::load(const TransferFunction& function) { edit(tr("Load a transfer function"), function, true); }
