@@ -6434,7 +6434,7 @@
     </message>
     <message>
         <source>Filter: fail, void, diameter &gt; 0.5</source>
-        <translation>Filter: schlecht, Hohlraum, diameter &gt; 0.5</translation>
+        <translation>Filter: schlecht, Hohlraum, Durchmesser &gt; 0,5</translation>
     </message>
     <message>
         <source>Filter of the defect table</source>

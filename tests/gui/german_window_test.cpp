@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QTableView>
 
@@ -90,6 +91,23 @@ TEST_F(GermanWindow, ColourMapsHaveGermanNames) {
         for (const QAction* action : menu->actions())
             if (action->text() == colour_map_title("meadow")) meadow = action;
     EXPECT_TRUE(meadow);
+}
+
+TEST_F(GermanWindow, DefectsAreFilteredByTheNamesOfTheirColumns) {
+    InspectionFeature* inspection = made("de").inspection();
+    QSignalSpy finished(inspection, &InspectionFeature::finished);
+    inspection->inspect(inspection->panel()->form()->criteria().detection);
+    ASSERT_TRUE(finished.wait(k_patience_ms));
+    const auto rows_of = [&](const QString& words) {
+        for (QLineEdit* field : inspection->panel()->findChildren<QLineEdit*>())
+            if (field->placeholderText().contains(QStringLiteral("Durchmesser"))) field->setText(words);
+        return inspection->panel()->table()->model()->rowCount();
+    };
+    ASSERT_GT(rows_of({}), 0);
+    for (const char* name : {"Durchmesser", "durchmesser mm", "diameter"}) {
+        EXPECT_GT(rows_of(QLatin1String(name) + QStringLiteral(" > 0,001")), 0) << name;
+        EXPECT_EQ(rows_of(QLatin1String(name) + QStringLiteral(" > 1000")), 0) << name;
+    }
 }
 
 TEST_F(GermanWindow, ControlsAreNamedInGerman) {

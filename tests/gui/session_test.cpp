@@ -206,6 +206,9 @@ TEST_F(SessionTest, BringsAnInspectionAndItsDecisionsBack) {
     const auto& by_hand = window->inspection()->panel()->judgement().by_hand;
     ASSERT_EQ(by_hand.size(), 1u);
     EXPECT_EQ(by_hand[0].reason, "too near to the thread");
+    EXPECT_FALSE(window->isWindowModified());  // it is what the file holds
+    window->inspection()->panel()->decide(1, true, QStringLiteral("seen by eye"));
+    EXPECT_TRUE(window->isWindowModified());
 }
 
 TEST_F(SessionTest, DecisionsAreNotTakenForDefectsOfAnotherInspection) {

@@ -314,6 +314,19 @@ void SessionFeature::restoreInspection(const Session& session) {
     if (session.criteria.empty()) return;
     const Criteria criteria = parse_criteria(session.criteria, session.input);
     inspection_.panel()->setCriteria(criteria);
+    // What the session had is found and decided again: that alone changes nothing of it.
+    connect(
+        &inspection_, &InspectionFeature::finished, this,
+        [this, before = changes_, opened = opened_, words = criteria_to_json(criteria), decisions = session.decisions] {
+            const auto& found = bench_.documents()->document().inspection;
+            if (opened != opened_ || !found || criteria_to_json(inspection_.panel()->form()->criteria()) != words)
+                return;
+            const auto again = std::count_if(decisions.begin(), decisions.end(), [&](const HandDecision& decision) {
+                return decision.defect >= 1 && decision.defect <= found->defects.size();
+            });
+            if (changes_ == before + 1 + again) bench_.window()->setWindowModified(false);
+        },
+        Qt::SingleShotConnection);
     inspection_.inspectAgain(criteria.detection, session.decisions);
 }
 

@@ -194,15 +194,29 @@ QVariant DefectModel::headerData(int section, Qt::Orientation orientation, int r
     return {};
 }
 
+namespace {
+
+/// By the word of reports, or by what stands above it in the window, with its unit or without.
+bool is_named(const Column& column, const QString& name) {
+    if (*column.word == 0) return false;
+    static const QRegularExpression unit(QStringLiteral("\\s+(mm|mm²|mm³|%)$"));
+    const QString title = DefectModel::tr(column.name);
+    for (const QString& known : {QString::fromLatin1(column.word), title, QString(title).remove(unit)})
+        if (name.compare(known, Qt::CaseInsensitive) == 0) return true;
+    return false;
+}
+
+}  // namespace
+
 void DefectFilter::setText(const QString& text) {
-    static const QRegularExpression comparison(QStringLiteral("^\\s*([a-z]+)\\s*(<=|>=|<|>)\\s*([-+.,eE0-9]+)\\s*$"));
+    static const QRegularExpression comparison(QStringLiteral("^\\s*(.+?)\\s*(<=|>=|<|>)\\s*([-+.,eE0-9]+)\\s*$"));
     words_ = text.trimmed();
     column_ = -1;
     const QRegularExpressionMatch match = comparison.match(text);
     const std::optional<double> limit = typed_number(match.captured(3));
     limit_ = limit.value_or(0);
     for (std::size_t i = 0; limit && i < k_columns.size(); ++i)
-        if (match.captured(1) == QLatin1String(k_columns[i].word)) column_ = int(i);
+        if (is_named(k_columns[i], match.captured(1))) column_ = int(i);
     side_ = match.captured(2);
     invalidateFilter();
 }
