@@ -105,6 +105,7 @@ void PointFields::editPoint() {
         if (points[k - 2].value >= points[k].value) return refresh();  // a third at one value has no place
     if (function == plot_->function()) return refresh();  // it stands against its neighbour: so say the fields
     plot_->setFunction(function);
+    refresh();
     Q_EMIT functionEdited(tr("Transfer function"), function);
 }
 
