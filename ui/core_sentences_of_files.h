@@ -245,6 +245,11 @@ inline constexpr const char* k_file_phrases[] = {
     QT_TRANSLATE_NOOP("CoreSentence", "its spacing along axis %1 is %2, but spacings must be positive numbers of mm"),
     QT_TRANSLATE_NOOP("CoreSentence", "its origin is not a finite position"),
     QT_TRANSLATE_NOOP("CoreSentence", "its data file %1 is not there; put it beside the header"),
+    QT_TRANSLATE_NOOP("CoreSentence", "its data files '%1' are no pattern of names with one whole number (%d) in it"),
+    QT_TRANSLATE_NOOP("CoreSentence", "its data files '%1' are not the %2 that its sizes ask for"),
+    QT_TRANSLATE_NOOP("CoreSentence", "it lists %1 data files, but its sizes ask for %2"),
+    QT_TRANSLATE_NOOP("CoreSentence", "its voxels are stored as text in several files"),
+    QT_TRANSLATE_NOOP("CoreSentence", "the orientation its %1 states holds what is no finite number"),
     QT_TRANSLATE_NOOP("CoreSentence",
                       "it claims %1 bytes of voxels, more than its %2 compressed bytes can hold; the file is cut or "
                       "its sizes are wrong"),

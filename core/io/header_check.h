@@ -20,11 +20,12 @@ std::filesystem::path nifti_pair_header(const std::filesystem::path& image);
 
 /// What a header says that ITK does not tell, or not right.
 struct HeaderFacts {
-    std::optional<StoredVoxels> voxels;         ///< where they lie, if in one file and in binary
-    std::optional<StoredType> type;             ///< NIfTI: of the voxels in the file
-    double slope = 1, intercept = 0;            ///< NIfTI: value = stored * slope + intercept
-    glm::dvec3 mm_per_spacing{1};               ///< the header's lengths are in this unit along each axis
-    glm::dvec3 mm_per_origin{1};                ///< and its position
+    std::optional<StoredVoxels> voxels;  ///< where they lie, if in one file and in binary
+    std::vector<StoredVoxels> pieces;    ///< MetaImage: where they lie, one behind the other, if in several files
+    std::optional<StoredType> type;      ///< NIfTI: of the voxels in the file
+    double slope = 1, intercept = 0;     ///< NIfTI: value = stored * slope + intercept
+    glm::dvec3 mm_per_spacing{1};        ///< the header's lengths are in this unit along each axis
+    glm::dvec3 mm_per_origin{1};         ///< and its position
     std::optional<glm::dvec3> spacing, origin;  ///< stated in a way that ITK does not take
     std::vector<Warning> warnings;
 };

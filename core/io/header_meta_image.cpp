@@ -117,6 +117,53 @@ void read_meta_scales(const Fields& f, HeaderFacts& facts) {
                                   0});
 }
 
+/// The names behind "ElementDataFile = LIST", one a line.
+std::vector<std::string> names_of_list(const fs::path& file, std::size_t header_end, std::size_t count) {
+    const std::string text = head_of(file);
+    std::vector<std::string> names;
+    for (const auto line : split(std::string_view(text).substr(header_end), "\n"))
+        if (!trimmed(line).empty()) names.emplace_back(trimmed(line));
+    if (names.size() != count)
+        refuse(file, "it lists " + std::to_string(names.size()) + " data files, but its sizes ask for " +
+                         std::to_string(count));
+    return names;
+}
+
+/// Voxels in several files, each a slice, or as many axes as a LIST says. The library takes what is missing for zeros
+/// without a word, so they are read like those of one file.
+std::vector<StoredVoxels> meta_pieces(const fs::path& file, const HeaderText& header,
+                                      const std::vector<std::int64_t>& dims, std::uint64_t need) {
+    const Fields& f = header.fields;
+    const std::string named = field(f, "ElementDataFile");
+    const bool pattern = !named.starts_with("LIST");
+    if (!field(f, "BinaryData").empty() && !says_true(field(f, "BinaryData")))
+        throw Error(Errc::unsupported,
+                    "Cannot read " + file.string() + ": its voxels are stored as text in several files.");
+    std::size_t own_axes = dims.size() - 1;
+    if (!pattern)
+        if (const auto said = number_in<std::size_t>(std::string_view(named).substr(4)))
+            own_axes = *said >= 1 && *said <= dims.size() ? *said : own_axes;
+    std::int64_t count = 1;
+    for (std::size_t a = own_axes; a < dims.size(); ++a) count *= dims[a];
+    const auto names =
+        pattern ? names_of_pattern(file, named, count) : names_of_list(file, header.end, std::size_t(count));
+    const bool packed = says_true(field(f, "CompressedData"));
+    const std::int64_t skip = number_in<std::int64_t>(field(f, "HeaderSize")).value_or(0);
+    if (skip < 0 && packed) refuse(file, "its HeaderSize -1 does not go with compressed voxels");
+    const std::uint64_t bytes = need / std::uint64_t(count);
+    std::vector<StoredVoxels> pieces;
+    for (const std::string& name : names) {
+        const fs::path data = file.parent_path() / name;
+        const std::uint64_t end = size_or_refuse(file, data, name);
+        if (skip > 0 && std::uint64_t(skip) > end)
+            refuse(file, "its HeaderSize " + std::to_string(skip) + " does not lie within the data");
+        const std::uint64_t offset = skip < 0 ? end - std::min(end, bytes) : std::uint64_t(skip);
+        check_length(data, end - offset, bytes, packed);
+        pieces.push_back({data, offset, 0, bytes, packed, false, meta_big_endian(file, f)});
+    }
+    return pieces;
+}
+
 }  // namespace
 
 HeaderFacts check_meta_image(const fs::path& file) {
@@ -138,7 +185,10 @@ HeaderFacts check_meta_image(const fs::path& file) {
     const std::string named = field(f, "ElementDataFile");
     const fs::path data = meta_image_data_file(file);
     const bool local = data.empty() && lower_case(named) == "local";
-    if (data.empty() && !local) return facts;  // a list or a pattern: the library reports what is missing
+    if (data.empty() && !local) {
+        facts.pieces = meta_pieces(file, header, *dims, need);
+        return facts;
+    }
     const std::uint64_t before = local ? header.end : 0;
     const std::uint64_t end = local ? fs::file_size(file) : size_or_refuse(file, data, named);
     const bool packed = says_true(field(f, "CompressedData"));

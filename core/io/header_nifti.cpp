@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <initializer_list>
 #include <memory>
 #include <string>
 
@@ -51,6 +52,10 @@ std::pair<nifti_1_header, bool> nifti_header(const fs::path& file) {
         for (short& d : h.dim) d = swapped(d);
         for (float& p : h.pixdim) p = swapped(p);
         for (float* f : {&h.vox_offset, &h.scl_slope, &h.scl_inter}) *f = swapped(*f);
+        for (float* f : {&h.quatern_b, &h.quatern_c, &h.quatern_d, &h.qoffset_x, &h.qoffset_y, &h.qoffset_z})
+            *f = swapped(*f);
+        for (float(*row)[4] : {&h.srow_x, &h.srow_y, &h.srow_z})
+            for (float& f : *row) f = swapped(f);
         for (short* s : {&h.datatype, &h.bitpix, &h.qform_code, &h.sform_code}) *s = swapped(*s);
     }
     if (h.dim[0] < 1 || h.dim[0] > 7) refuse(file, "its number of dimensions is not within 1 to 7");
@@ -82,6 +87,20 @@ std::uint64_t nifti_offset(const fs::path& file, const nifti_1_header& h) {
         refuse(file, "its vox_offset is " + std::to_string(h.vox_offset) + ", but must be " + std::to_string(least) +
                          " at least");
     return std::uint64_t(h.vox_offset);
+}
+
+/// The library's matrices end the program where a number is none.
+void check_orientation(const fs::path& file, const nifti_1_header& h) {
+    const auto finite = [](std::initializer_list<float> numbers) {
+        return std::all_of(numbers.begin(), numbers.end(), [](float f) { return std::isfinite(f); });
+    };
+    const auto row = [&](const float(&r)[4]) { return finite({r[0], r[1], r[2], r[3]}); };
+    const bool by_quaternion =
+        h.qform_code <= 0 || finite({h.quatern_b, h.quatern_c, h.quatern_d, h.qoffset_x, h.qoffset_y, h.qoffset_z});
+    const bool by_matrix = h.sform_code <= 0 || (row(h.srow_x) && row(h.srow_y) && row(h.srow_z));
+    if (!by_quaternion || !by_matrix)
+        refuse(file, std::string("the orientation its ") + (by_matrix ? "qform" : "sform") +
+                         " states holds what is no finite number");
 }
 
 /// Where the voxels of a pair lie; `.img` where there is none, for size_or_refuse() to say so.
@@ -122,6 +141,7 @@ HeaderFacts check_nifti(const fs::path& file) {
             refuse(file, "its spacing pixdim[" + std::to_string(a) + "] is " + std::to_string(h.pixdim[a]) +
                              ", but spacings must be positive numbers of mm");
     }
+    check_orientation(file, h);
     if (std::isfinite(h.scl_slope) && h.scl_slope != 0) {  // zero: no scale at all
         facts.slope = h.scl_slope;
         facts.intercept = std::isfinite(h.scl_inter) ? h.scl_inter : 0;

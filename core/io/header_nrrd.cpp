@@ -150,7 +150,10 @@ std::optional<StoredVoxels> nrrd_voxels(const fs::path& file, const HeaderText& 
     const Fields& f = header.fields;
     const bool detached = f.contains("data file") || f.contains("datafile");
     const std::string named = either(f, "data", "file");
-    if (detached && is_list(file, named)) return std::nullopt;
+    if (detached && is_list(file, named)) {
+        check_pattern(file, named);
+        return std::nullopt;
+    }
     const fs::path data = detached ? file.parent_path() / named : file;
     const std::uint64_t end = detached ? size_or_refuse(file, data, named) : fs::file_size(file);
     const std::string encoding = lower_case(field(f, "encoding"));

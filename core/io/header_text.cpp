@@ -1,7 +1,9 @@
 #include "core/io/header_text.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 
@@ -72,6 +74,50 @@ bool is_list(const fs::path& header, const std::string& named) {
     std::error_code ec;
     return (named.starts_with("LIST") || named.find('%') != std::string::npos) &&
            !fs::is_regular_file(header.parent_path() / named, ec);
+}
+
+void check_pattern(const fs::path& header, const std::string& named) {
+    const std::size_t at = named.find('%');
+    if (at == std::string::npos) return;
+    constexpr std::size_t k_most_digits = 2;
+    const std::size_t end = named.find_first_not_of("0123456789", at + 1);
+    if (end == std::string::npos || named[end] != 'd' || end - at - 1 > k_most_digits ||
+        named.find('%', end) != std::string::npos)
+        refuse(header, "its data files '" + named + "' are no pattern of names with one whole number (%d) in it");
+}
+
+std::vector<std::string> names_of_pattern(const fs::path& header, const std::string& named, std::int64_t count) {
+    check_pattern(header, named);
+    const auto words = split(named, " \t");
+    std::vector<std::int64_t> numbers;
+    for (std::size_t i = 1; i < words.size(); ++i)
+        if (const auto number = number_in<std::int32_t>(words[i])) numbers.push_back(*number);
+    const std::int64_t first = numbers.empty() ? 1 : numbers[0];
+    const std::int64_t last = numbers.size() > 1 ? numbers[1] : first + count - 1;
+    const std::int64_t step = numbers.size() > 2
+                                  ? numbers[2]
+                                  : std::max<std::int64_t>(1, (last - first) / std::max<std::int64_t>(1, count - 1));
+    constexpr std::int64_t k_most_files = 1'000'000;
+    const bool sound = !words.empty() && words[0].find('%') != std::string_view::npos &&
+                       numbers.size() + 1 == words.size() && numbers.size() <= 3 && step > 0 && last >= first &&
+                       count <= k_most_files;
+    if (!sound || (last - first) / step + 1 != count)
+        refuse(header,
+               "its data files '" + named + "' are not the " + std::to_string(count) + " that its sizes ask for");
+    const std::size_t at = words[0].find('%'), end = words[0].find('d', at);
+    const std::string_view width = words[0].substr(at + 1, end - at - 1);
+    const std::size_t digits = number_in<std::size_t>(width).value_or(0);
+    std::vector<std::string> names;
+    for (std::int64_t i = first; i <= last; i += step) {
+        std::string number = std::to_string(std::abs(i));
+        const std::size_t sign = i < 0 ? 1 : 0;
+        const std::size_t missing = digits > number.size() + sign ? digits - number.size() - sign : 0;
+        const bool zeros = width.starts_with('0');
+        number = (zeros ? "" : std::string(missing, ' ')) + (sign ? "-" : "") +
+                 (zeros ? std::string(missing, '0') : "") + number;
+        names.push_back(std::string(words[0].substr(0, at)) + number + std::string(words[0].substr(end + 1)));
+    }
+    return names;
 }
 
 void warn_of_spacing(HeaderFacts& facts) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "core/io/header_check.h"
 
@@ -42,6 +43,15 @@ void check_spacing(const std::filesystem::path& file, const std::string& key, co
 
 /// Whether a name stands for several files: "LIST", or a pattern such as slice%03d.raw; not if there is such a file.
 bool is_list(const std::filesystem::path& header, const std::string& named);
+
+/// A pattern may reach a library that takes it for a format of printf: one whole number may stand in it, %d or %03d.
+/// @throws Error(bad_input) for any other
+void check_pattern(const std::filesystem::path& header, const std::string& named);
+
+/// The names of a pattern with the numbers it goes through: "slice%03d.raw FIRST LAST STEP", the last ones optional.
+/// @throws Error(bad_input) where they are not `count` files
+std::vector<std::string> names_of_pattern(const std::filesystem::path& header, const std::string& named,
+                                          std::int64_t count);
 
 void warn_of_spacing(HeaderFacts& facts);
 

@@ -157,7 +157,9 @@ OpenedImage open_image(const fs::path& file, ItkFormat format) {
     image.type = image.facts.type ? image.facts.type : stored_type(*image.io);
     const std::uint64_t voxels = checked_bytes(file.string(), image.geometry.size.x, image.geometry.size.y,
                                                image.geometry.size.z, image.type ? size_of(*image.type) : 1);
-    if (image.facts.voxels && (!image.type || image.facts.voxels->bytes != voxels))
+    std::uint64_t found = image.facts.voxels ? image.facts.voxels->bytes : 0;
+    for (const StoredVoxels& piece : image.facts.pieces) found += piece.bytes;
+    if (found > 0 && (!image.type || found != voxels))
         throw Error(Errc::bad_input,
                     "Cannot read " + file.string() + ": its header says twice, and differently, how large it is.");
     return image;
@@ -230,6 +232,14 @@ VoxelBuffer stored_voxels(const fs::path& file, const OpenedImage& image, const 
         read_stored(file, *image.facts.voxels, word, {voxels.data(), voxels.size()}, job);
         return voxels;
     }
+    std::size_t at = 0;
+    const std::vector<StoredVoxels>& pieces = image.facts.pieces;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        read_stored(file, pieces[i], word, {voxels.data() + at, std::size_t(pieces[i].bytes)}, {job.stop, nullptr});
+        at += std::size_t(pieces[i].bytes);
+        job.checkpoint(i + 1, pieces.size());
+    }
+    if (!pieces.empty()) return voxels;
     itk::ImageIOBase& io = *image.io;
     itk::ImageIORegion region(io.GetNumberOfDimensions());
     for (unsigned a = 0; a < io.GetNumberOfDimensions(); ++a) region.SetSize(a, io.GetDimensions(a));

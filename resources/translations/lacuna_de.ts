@@ -1381,6 +1381,26 @@
         <translation>Die Datendatei %1 gibt es nicht; bitte neben den Kopf legen</translation>
     </message>
     <message>
+        <source>its data files &apos;%1&apos; are no pattern of names with one whole number (%d) in it</source>
+        <translation>die Datendateien „%1“ sind kein Muster von Namen mit einer ganzen Zahl (%d) darin</translation>
+    </message>
+    <message>
+        <source>its data files &apos;%1&apos; are not the %2 that its sizes ask for</source>
+        <translation>die Datendateien „%1“ sind nicht die %2, die die Maße verlangen</translation>
+    </message>
+    <message>
+        <source>it lists %1 data files, but its sizes ask for %2</source>
+        <translation>die Liste nennt %1 Datendateien, aber die Maße verlangen %2</translation>
+    </message>
+    <message>
+        <source>its voxels are stored as text in several files</source>
+        <translation>die Voxel stehen als Text in mehreren Dateien</translation>
+    </message>
+    <message>
+        <source>the orientation its %1 states holds what is no finite number</source>
+        <translation>die Orientierung in %1 enthält, was keine endliche Zahl ist</translation>
+    </message>
+    <message>
         <source>it claims %1 bytes of voxels, more than its %2 compressed bytes can hold; the file is cut or its sizes are wrong</source>
         <translation>Der Kopf nennt %1 Byte Voxel, mehr als die %2 gepackten Byte fassen können; die Datei ist abgeschnitten oder ihre Maße sind falsch</translation>
     </message>

@@ -1,6 +1,7 @@
 #include <zlib.h>
 
 #include <cstring>
+#include <limits>
 
 #include "core/io/volume_writer.h"
 #include "nifti_fixture.h"
@@ -216,6 +217,87 @@ TEST(HeaderLies, NamesWithAPerCentSignAreNames) {
     for (const char* name : {"50%d.mhd", "LIST.mhd", "LOCAL.mhd", "a b=c.mhd"}) {
         write_volume(original, f / name);
         expect_same_voxels(original, open_volume((f / name).string()));
+    }
+}
+
+/// A header of 2 x 2 x 3 bytes beside files a, s1 .. s3 of four bytes and one that is cut.
+struct Slices {
+    ScratchFolder f;
+    std::string bytes = "abcdefghijkl";
+
+    Slices() {
+        for (int k = 0; k < 3; ++k)
+            put_file(f / ("s" + std::to_string(k + 1) + ".raw"), bytes.substr(4 * std::size_t(k), 4));
+        for (int k = 0; k < 3; ++k)
+            put_file(f / ("p00" + std::to_string(2 * k) + ".raw"), "head" + bytes.substr(4 * std::size_t(k), 4));
+        put_file(f / "cut.raw", "ab");
+    }
+    Volume meta(const std::string& data, const std::string& fields = "") const {
+        put_file(f / "v.mhd", "ObjectType = Image\nNDims = 3\nDimSize = 2 2 3\nElementSpacing = 1 1 1\n" + fields +
+                                  "ElementType = MET_UCHAR\nElementDataFile = " + data + "\n");
+        return open_volume((f / "v.mhd").string());
+    }
+    Volume nrrd(const std::string& data) const {
+        put_file(f / "v.nhdr",
+                 "NRRD0004\ntype: uchar\ndimension: 3\nsizes: 2 2 3\nspacings: 1 1 1\nencoding: raw\n"
+                 "data file: " +
+                     data + "\n");
+        return open_volume((f / "v.nhdr").string());
+    }
+};
+
+TEST(HeaderLies, VoxelsInSeveralFilesAreReadWhole) {
+    const Slices slices;
+    expect_bytes(slices.meta("s%d.raw"), slices.bytes);
+    expect_bytes(slices.meta("s%d.raw 1 3"), slices.bytes);
+    expect_bytes(slices.meta("s%01d.raw 1 3 1"), slices.bytes);
+    expect_bytes(slices.meta("p%03d.raw 0 4 2", "HeaderSize = 4\n"), slices.bytes);
+    expect_bytes(slices.meta("p%03d.raw 0 4 2", "HeaderSize = -1\n"), slices.bytes);
+    expect_bytes(slices.meta("LIST\ns1.raw\ns2.raw\n\ns3.raw"), slices.bytes);
+    expect_bytes(slices.meta("LIST 2\ns1.raw\ns2.raw\ns3.raw"), slices.bytes);
+    put_file(slices.f / "whole.raw", slices.bytes);
+    expect_bytes(slices.meta("LIST 3\nwhole.raw"), slices.bytes);
+    expect_bytes(slices.nrrd("s%d.raw 1 3 1"), slices.bytes);
+}
+
+TEST(HeaderLies, FilesThatAreMissingOrCutAreNoZeros) {
+    const Slices slices;
+    for (const char* data : {"gone%d.raw", "s%d.raw 2 4 1", "s%02d.raw 1 3 1", "LIST\ns1.raw\ngone.raw\ns3.raw",
+                             "LIST\ns1.raw\ncut.raw\ns3.raw", "LIST\ns1.raw\ns2.raw", "LIST 1\ns1.raw\ns2.raw\ns3.raw",
+                             "s%d.raw 1 2 1", "s%d.raw 1 4 1"})
+        expect_error(Errc::bad_input, {}, [&] { slices.meta(data); });
+}
+
+TEST(HeaderLies, APatternOfNamesIsNoProgram) {
+    const Slices slices;
+    for (const char* data : {"s%d%n.raw 1 3 1", "s%s%s%s%s%n.raw 1 3 1", "s%d%s%s%s%s.raw 1 3 1",
+                             "s%1000000000d.raw 1 3 1", "s%*d.raw 1 3 1", "s%p.raw 1 3 1"}) {
+        expect_error(Errc::bad_input, {"v.mhd", "pattern"}, [&] { slices.meta(data); });
+        expect_error(Errc::bad_input, {"v.nhdr", "pattern"}, [&] { slices.nrrd(data); });
+    }
+    for (const char* data :
+         {"s%d.raw 1 3 0", "s%d.raw 1 3 -1", "s%d.raw 3 1 1", "s%d.raw 0 1000000000 1", "s%d.raw 1 x 1"})
+        expect_error(Errc::bad_input, {"v.mhd"}, [&] { slices.meta(data); });
+}
+
+TEST(HeaderLies, AnOrientationThatIsNoNumberIsRefused) {
+    const ScratchFolder f;
+    const float nan = std::numeric_limits<float>::quiet_NaN(), infinite = std::numeric_limits<float>::infinity();
+    const auto open = [&](const nifti_1_header& h) { return open_text(f, "v.nii", nifti_file(h, "abcdefgh")); };
+    const nifti_1_header sound = nifti(DT_UINT8, 8);
+    expect_bytes(open(sound), "abcdefgh");
+    for (const float bad : {nan, infinite, -infinite}) {
+        for (float nifti_1_header::*number : {&nifti_1_header::quatern_c, &nifti_1_header::qoffset_y}) {
+            nifti_1_header h = sound;
+            h.*number = bad;
+            expect_error(Errc::bad_input, {"v.nii", "qform"}, [&] { open(h); });
+        }
+        nifti_1_header h = sound;
+        h.sform_code = 1;
+        h.srow_x[0] = h.srow_y[1] = h.srow_z[2] = 2;  // mm, as pixdim
+        expect_bytes(open(h), "abcdefgh");
+        h.srow_z[3] = bad;
+        expect_error(Errc::bad_input, {"v.nii", "sform"}, [&] { open(h); });
     }
 }
 
