@@ -63,6 +63,9 @@ std::stop_token Console::watch_signals() {
     sigemptyset(&signals);
     sigaddset(&signals, SIGINT);
     sigaddset(&signals, SIGTERM);
+    struct sigaction hangup {};
+    ::sigaction(SIGHUP, nullptr, &hangup);
+    if (hangup.sa_handler != SIG_IGN) sigaddset(&signals, SIGHUP);  // the terminal closes; nohup asks to go on
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // inherited by every later thread, so only the one below sees them
     // Shared with a thread that never ends; the kernel drops it at exit.
     auto source = std::make_shared<std::stop_source>();

@@ -145,7 +145,7 @@ TEST_P(Interrupt, GivesOneHundredAndThirtySoonAndLeavesNothing) {
     EXPECT_TRUE(files().empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, ::testing::Values(SIGINT, SIGTERM));
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, ::testing::Values(SIGINT, SIGTERM, SIGHUP));
 
 }  // namespace
 

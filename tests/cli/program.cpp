@@ -28,6 +28,7 @@ namespace {
         const rlimit limit{rlim_t(surroundings.file_size_limit), rlim_t(surroundings.file_size_limit)};
         ::setrlimit(RLIMIT_FSIZE, &limit);
         ::signal(SIGXFSZ, SIG_DFL);  // as a shell leaves it: the program must cope
+        ::signal(SIGHUP, SIG_DFL);   // tests may run under nohup
     }
     const int in = ::open("/dev/null", O_RDONLY);
     ::dup2(in, STDIN_FILENO);
