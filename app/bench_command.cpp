@@ -8,6 +8,7 @@
 #include "app/bench_scenes.h"
 #include "app/command.h"
 #include "app/parse.h"
+#include "app/read_guard.h"
 #include "core/accuracy/sweep_report.h"
 #include "core/base/atomic_file.h"
 #include "core/base/stopwatch.h"
@@ -93,6 +94,7 @@ void BenchOptions::parse() {
     }
     if (!json.empty()) check_target(json);
     check_apart({chart, json});
+    check_not_read(input.input, {chart, json});
 }
 
 /// INPUT itself in each of the modes.

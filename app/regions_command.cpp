@@ -7,6 +7,7 @@
 #include "app/command.h"
 #include "app/input_options.h"
 #include "app/parse.h"
+#include "app/read_guard.h"
 #include "core/base/atomic_file.h"
 #include "core/io/mesh_writer.h"
 #include "core/io/volume_writer.h"
@@ -71,6 +72,7 @@ void check_targets(const RegionsWords& words) {
     for (const std::string* target : {&words.labels, &words.json, &words.csv})
         if (!target->empty()) check_target(*target);
     check_apart({words.labels, words.json, words.csv});
+    check_not_read(words.input.input, {words.labels, words.json, words.csv});
     if (!words.labels.empty() && !words.labels.ends_with(".nrrd"))
         refuse("--labels", words.labels, "a .nrrd file, the one kind of label volume written");
     if (words.mesh_folder.empty()) return;

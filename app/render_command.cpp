@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/command.h"
+#include "app/read_guard.h"
 #include "app/render_options.h"
 #include "app/render_stats.h"
 #include "core/accel/brick_index.h"
@@ -103,6 +104,7 @@ int run_render(RenderOptions& options, Console& console) {
     std::vector<std::filesystem::path> targets{options.stats, options.verify_map};
     for (int i = 0; i < options.turntable(); ++i) targets.push_back(options.frame_path(i));
     check_apart(targets);
+    check_not_read(options.input.input, targets);
 
     const Volume volume =
         options.input.load_or_leave(most_at_once(options.input.memory_limit_bytes(), options.picture_size()), console);

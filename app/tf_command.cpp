@@ -5,6 +5,7 @@
 
 #include "app/command.h"
 #include "app/input_options.h"
+#include "app/read_guard.h"
 #include "core/base/atomic_file.h"
 #include "core/classify/preset_file.h"
 #include "core/volume/statistics.h"
@@ -69,6 +70,7 @@ void add_fit(CLI::App& tf, Action& chosen) {
     fit->callback([&chosen, input, target] {
         chosen = [input, target](Console& console) {
             if (!target->empty()) check_target(*target);
+            check_not_read(input->input, {*target});
             input->check();
             const Volume volume = input->load(console);
             const VolumeStatistics statistics = compute_statistics(volume, console.job("Measuring"));

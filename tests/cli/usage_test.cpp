@@ -42,6 +42,26 @@ TEST_F(Usage, NoCommandUnknownCommandAndUnknownFlagGiveTwo) {
     EXPECT_TRUE(files().empty());
 }
 
+TEST_F(Usage, NoResultTakesThePlaceOfWhatIsRead) {
+    const std::string scan = path("scan.nrrd"), series = path("series"), tf = path("tf.json");
+    ASSERT_EQ(lacuna({"convert", "sample:spheres@16", scan}).status, 0);
+    ASSERT_EQ(lacuna({"convert", "sample:spheres@16", series}).status, 0);
+    ASSERT_EQ(lacuna({"tf", "fit", scan, "-o", tf}).status, 0);
+    const std::string slice = series + "/slice00003.dcm", was = bytes_of(scan), image = bytes_of(slice);
+    for (const char* flag : {"--csv", "--json", "--labels"})
+        expect_failure(lacuna({"regions", scan, "--threshold", "otsu,max", flag, path("./scan.nrrd")}), 2, "scan.nrrd");
+    expect_failure(lacuna({"regions", series, "--threshold", "otsu,max", "--csv", slice}), 2, "slice00003.dcm");
+    expect_failure(lacuna({"tf", "fit", scan, "-o", scan}), 2, "scan.nrrd");
+    const std::vector<std::string> render{"render", scan, "-o", path("a.png"), "--size", "8x8", "--tf", tf, "--stats"};
+    for (const std::string& target : {scan, slice}) {
+        std::vector<std::string> words = render;
+        words.push_back(target);
+        expect_failure(lacuna(words), 2, target);
+    }
+    EXPECT_TRUE(bytes_of(scan) == was && bytes_of(slice) == image);
+    EXPECT_EQ(files(), (std::vector<std::string>{"scan.nrrd", "series", "tf.json"}));
+}
+
 struct BadWord {
     const char *flag, *value;
 };
