@@ -7779,6 +7779,10 @@
         <source>Deleting the preset</source>
         <translation>Vorgabe löschen</translation>
     </message>
+    <message>
+        <source>The preset “%1” is saved.</source>
+        <translation>Die Vorgabe „%1“ ist gesichert.</translation>
+    </message>
 </context>
 <context>
     <name>lacuna::ui::RangeRow</name>

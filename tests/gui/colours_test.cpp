@@ -126,12 +126,12 @@ TEST_F(PlotTest, FieldsSayWhereAPointStoodStill) {
 }
 
 TEST_F(PlotTest, FieldsKeepAPointFarBeyondTheData) {
-    TransferFunction function = plot.function();
-    function.points.push_back({3000, glm::dvec3(1), 1});  // of a file made for other data
-    plot.setFunction(function);
+    TransferFunction wider = plot.function();
+    wider.points.push_back({3000, glm::dvec3(1), 1});  // of a file made for other data
+    plot.setFunction(wider);
     PointFields fields(&plot, true);
     fields.setLimits({-100, 300}, QString());
-    const int last = int(function.points.size()) - 1;
+    const int last = int(wider.points.size()) - 1;
     plot.select(last);
     EXPECT_EQ(fields.valueField()->value(), 3000);
     fields.opacityField()->setValue(0.25);
@@ -265,8 +265,12 @@ TEST_F(ColoursTest, OwnPresetsAreKeptAndBrokenOnesNamed) {
             },
             test::k_patience_ms);
     };
+    presets->saveAs(QString());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window->messageBar()->isError(); }, test::k_patience_ms));
     presets->saveAs(QStringLiteral("My castings"));
     ASSERT_TRUE(marked("My castings"));
+    EXPECT_FALSE(window->messageBar()->isError());  // what it lacked before is over
+    EXPECT_TRUE(window->messageBar()->text().contains(QStringLiteral("My castings")));
     write_file(PresetsFeature::folder() / "later.json", "{\"version\": 7}");
     presets->showGallery();
     const std::vector<PresetEntry> all = list_presets(PresetsFeature::folder());
@@ -340,6 +344,19 @@ TEST_F(ColoursTest, ShapesOfValueAndGradientAreDrawnDraggedAndUndone) {
     EXPECT_TRUE(document().settings.tf.shapes.empty());
     while (window->documents()->history().can_undo()) window->documents()->undo();
     EXPECT_EQ(document().settings, before);
+}
+
+TEST_F(ColoursTest, ANewRangeHasANameAndAColourOfItsOwn) {
+    open(test::k_casting);
+    RangesPanel* ranges = window->rangesPanel();
+    for (int i = 0; i < 3; ++i) ranges->addRange();
+    Q_EMIT ranges->row(1)->removeRequested();
+    ASSERT_EQ(document().settings.ranges.size(), 2u);
+    ranges->addRange();
+    const std::vector<RangeSetting>& all = document().settings.ranges;
+    ASSERT_EQ(all.size(), 3u);
+    EXPECT_NE(all[2].range.name, all[1].range.name);
+    EXPECT_NE(all[2].color, all[1].color);
 }
 
 TEST_F(ColoursTest, RangesSayWhatTheyHoldAndHaveColoursOfTheirOwn) {

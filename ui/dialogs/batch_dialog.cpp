@@ -213,7 +213,7 @@ void BatchDialog::tell(const Outcome<BatchResult>& outcome) {
         resume_->setChecked(true);
         message_->setText(error->code() == Errc::cancelled ? tr("Cancelled after %n part(s); start again to go on.",
                                                                 nullptr, model_->finishedParts())
-                                                           : core_sentence(error->what()));
+                                                           : with_short_words(core_sentence(error->what())));
     } else {
         const BatchResult& result = std::get<0>(outcome);
         model_->setRows(result.rows);

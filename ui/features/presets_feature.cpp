@@ -170,7 +170,10 @@ void PresetsFeature::keep(const PresetFile& preset, bool replace) {
             const Kept& file = std::get<0>(outcome);
             if (!file) return askToReplace(preset);
             thumbnails_->forget(QString::fromStdString(file->string()));
-            list(QString::fromStdString(preset.tf.name));
+            const QString name = QString::fromStdString(preset.tf.name);
+            // What was said before, such as that it lacked a name, is over.
+            bench_.messages()->showNotice(tr("The preset “%1” is saved.").arg(name));
+            list(name);
         });
 }
 

@@ -3,6 +3,7 @@
 #include <QColorDialog>
 #include <QLabel>
 #include <QScrollArea>
+#include <algorithm>
 #include <array>
 
 #include "ui/widgets/plot_paint.h"
@@ -190,8 +191,15 @@ void RangesPanel::addRange() {
     if (!statistics_ || ranges_.size() >= Classification::k_max_ranges) return;
     std::vector<RangeSetting> next = ranges_;
     RangeSetting added;
-    added.range.name = tr("Range %1").arg(next.size() + 1).toStdString();
-    added.color = k_palette[next.size() % k_palette.size()];
+    // After one in the middle was removed the last has the name and the colour that would come next.
+    const auto taken = [&](std::size_t number) {
+        const std::string name = tr("Range %1").arg(number).toStdString();
+        return std::any_of(next.begin(), next.end(), [&](const RangeSetting& at) { return at.range.name == name; });
+    };
+    std::size_t number = next.size() + 1;
+    while (taken(number)) ++number;
+    added.range.name = tr("Range %1").arg(number).toStdString();
+    added.color = k_palette[(number - 1) % k_palette.size()];
     // The first is the object, the second what lies around it, further ones the middle of the values.
     const ValueRange values = statistics_->range;
     const double otsu = otsu_threshold(*statistics_);
