@@ -1,10 +1,12 @@
 #include "core/base/atomic_file.h"
 
 #include <fcntl.h>
+#include <sys/random.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <system_error>
@@ -38,6 +40,14 @@ const char* advice(int code) {
     }
 }
 
+/// Of no other process, be it of the same number in another container or on another machine that sees the folder.
+std::string tag_of_its_own() {
+    static std::atomic<unsigned> counter{0};
+    std::uint32_t drawn = 0;
+    (void)!::getrandom(&drawn, sizeof drawn, 0);
+    return "." + std::to_string(::getpid()) + "-" + std::to_string(counter++) + "-" + std::to_string(drawn) + ".part";
+}
+
 }  // namespace
 
 void throw_cannot_write(const fs::path& target, int code) {
@@ -46,15 +56,13 @@ void throw_cannot_write(const fs::path& target, int code) {
 }
 
 AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
-    static std::atomic<unsigned> counter{0};
     const fs::path folder = target_.has_parent_path() ? target_.parent_path() : fs::path(".");
     std::error_code ec;
     if (!fs::is_directory(folder, ec))
         throw Error(Errc::io, "Cannot write " + target_.string() + ": the folder " + folder.string() +
                                   " does not exist; create it first.");
-    const std::string tag = "." + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".part";
     // "name.part.ext" would split "volume.nii.gz" wrongly: the tag goes in front instead.
-    temporary_ = folder / (tag + "." + target_.filename().string());
+    temporary_ = folder / (tag_of_its_own() + "." + target_.filename().string());
 }
 
 AtomicFile::~AtomicFile() {
