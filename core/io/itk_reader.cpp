@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <new>
 
 #include "core/base/error.h"
@@ -33,9 +34,13 @@ std::string cause_of(const std::string& description) {
     return last;
 }
 
-/// Calls fn, turning what ITK throws into an Error that names the file.
+std::mutex g_itk;
+
+/// Calls fn, turning what ITK throws into an Error that names the file. One at a time: what is wrong with a NRRD file
+/// is put together in variables of the whole process.
 template <class Fn>
 void guarded(const fs::path& file, Fn&& fn) {
+    const std::lock_guard one_at_a_time(g_itk);
     try {
         fn();
     } catch (const itk::ExceptionObject& e) {
@@ -143,8 +148,8 @@ OpenedImage open_image(const fs::path& file, ItkFormat format) {
     if (format == ItkFormat::meta_image) image.facts = check_meta_image(file);
     if (format == ItkFormat::nrrd) image.facts = check_nrrd(file);
     if (format == ItkFormat::nifti) image.facts = check_nifti(file);
-    image.io = make_io(format);
     guarded(file, [&] {
+        image.io = make_io(format);
         image.io->SetFileName(file.string());
         image.io->ReadImageInformation();
     });

@@ -2,7 +2,10 @@
 
 #include <zlib.h>
 
+#include <atomic>
 #include <cstring>
+#include <thread>
+#include <vector>
 
 #include "core/io/volume_writer.h"
 #include "nifti_fixture.h"
@@ -34,6 +37,26 @@ nifti_1_header placed_header(short datatype, short bits, short x, short y, short
 }
 
 }  // namespace
+
+TEST(ItkReader, BrokenFilesAreReadBySeveralThreadsAtOnce) {
+    const ScratchFolder f;
+    const std::string words = "NRRD0004\ntype: float\ndimension: 3\nsizes: 4 4 4\nencoding: raw\nendian: little\n";
+    const auto file = f / "broken.nrrd";
+    put_file(file, words + "kinds: these are none\n\n" + std::string(256, '\0'));
+    std::atomic<int> refused{0};
+    constexpr int k_threads = 4, k_times = 200;
+    std::vector<std::jthread> readers;
+    for (int t = 0; t < k_threads; ++t)
+        readers.emplace_back([&] {
+            for (int i = 0; i < k_times; ++i) try {
+                    (void)read_itk_volume(file, ItkFormat::nrrd);
+                } catch (const Error& error) {
+                    refused += std::string(error.what()).find("\"these\" kind 1 of 3") != std::string::npos;
+                }
+        });
+    readers.clear();
+    EXPECT_EQ(refused, k_threads * k_times);
+}
 
 TEST(ItkReader, WideTypesBecomeTheSmallestThatHoldsEveryValue) {
     const ScratchFolder f;
