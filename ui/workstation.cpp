@@ -1,13 +1,27 @@
 #include "ui/workstation.h"
 
-#include <QGuiApplication>
+#include <QApplication>
+#include <QThread>
 
 #include "ui/language.h"
 #include "ui/preferences.h"
 
 namespace lacuna::ui {
 
+namespace {
+
+constexpr int k_look_again_ms = 200;
+
+/// What is being answered belongs to the window, and what asked goes on in it afterwards: most dialogs about files run
+/// a loop of their own on the stack of a window's function.
+bool in_a_dialog() { return QApplication::activeModalWidget() || QThread::currentThread()->loopLevel() > 1; }
+
+}  // namespace
+
 Workstation::Workstation(EngineFactory make_engine, QObject* parent) : QObject(parent) {
+    later_.setSingleShot(true);
+    later_.setInterval(k_look_again_ms);
+    connect(&later_, &QTimer::timeout, this, &Workstation::changeLanguage);
     Language::instance();
     makeWindow(std::move(make_engine));
 }
@@ -30,6 +44,7 @@ void Workstation::changeLanguage() {
                 Qt::ConnectionType(Qt::QueuedConnection | Qt::SingleShotConnection));
         return;
     }
+    if (in_a_dialog()) return later_.start();
     const bool quits = QGuiApplication::quitOnLastWindowClosed();
     QGuiApplication::setQuitOnLastWindowClosed(false);
     std::shared_ptr<Engine> engine = window_->bench()->engine();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <memory>
 
 #include "ui/main_window.h"
@@ -23,6 +24,7 @@ private:
     void changeLanguage();
 
     std::unique_ptr<MainWindow> window_;
+    QTimer later_;  ///< the language waits for a dialog
 };
 
 }  // namespace lacuna::ui

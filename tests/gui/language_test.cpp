@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QMenuBar>
+#include <QPointer>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTabBar>
@@ -247,6 +248,24 @@ TEST_F(LanguageTest, WaitsForRunningJobs) {
     EXPECT_EQ(made.count(), 0);
     EXPECT_TRUE(window()->messageBar()->isVisible());
     tasks->end(id);
+    ASSERT_TRUE(made.count() > 0 || made.wait(k_patience_ms));
+    EXPECT_TRUE(menus().contains(QStringLiteral("Ansicht")));
+}
+
+TEST_F(LanguageTest, WaitsForADialogThatIsBeingAnswered) {
+    TaskList* tasks = window()->bench()->tasks();
+    const TaskList::Id id = tasks->begin(QStringLiteral("long"), [] {});
+    QSignalSpy made(workstation.get(), &Workstation::windowMade);
+    preferences::set_language(QStringLiteral("de"));
+    Q_EMIT window()->settingsFeature()->languageChosen();
+    QApplication::processEvents();
+    const QPointer<QDialog> dialog = new QDialog(window());  // as one about a file does, it runs within the window
+    QTimer::singleShot(0, dialog, [&] { tasks->end(id); });
+    QTimer::singleShot(600, dialog, &QDialog::accept);
+    EXPECT_EQ(dialog->exec(), QDialog::Accepted);
+    ASSERT_TRUE(dialog) << "the window went from under it";
+    EXPECT_EQ(made.count(), 0);
+    delete dialog;
     ASSERT_TRUE(made.count() > 0 || made.wait(k_patience_ms));
     EXPECT_TRUE(menus().contains(QStringLiteral("Ansicht")));
 }
