@@ -60,6 +60,11 @@ void PresetThumbnails::want(std::vector<std::pair<QString, ViewSettings>> wanted
     next();
 }
 
+void PresetThumbnails::forget(const QString& key) {
+    pictures_.remove(key);
+    if (job_.running() && !wanted_.empty() && wanted_.front().first == key) job_.cancel();
+}
+
 void PresetThumbnails::next() {
     if (!engine_ || wanted_.empty() || job_.running() || pause_.isActive() || !document_.volume.in_memory()) return;
     if (scheduler_->busy()) return;  // its busyChanged comes

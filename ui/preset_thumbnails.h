@@ -29,7 +29,8 @@ public:
     void want(std::vector<std::pair<QString, lacuna::ViewSettings>> wanted);
     /// Null until it is drawn.
     QImage picture(const QString& key) const { return pictures_.value(key); }
-    void forget(const QString& key) { pictures_.remove(key); }
+    /// The settings of that key are others now: what was drawn of it, or is being drawn, is not to be seen.
+    void forget(const QString& key);
 
 Q_SIGNALS:
     void drawn(const QString& key, const QImage& picture);

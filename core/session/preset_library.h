@@ -16,6 +16,7 @@ struct PresetEntry {
     std::optional<PresetFile> preset = {};  ///< what the file holds; none where it is built in or cannot be read
     std::string fault = {};                 ///< why it cannot be read; the file is left as it is
     bool built_in() const { return file.empty(); }
+    friend bool operator==(const PresetEntry&, const PresetEntry&) = default;
 };
 
 /// The built-in presets, then the files (*.json) of the folder by name. A folder that does not exist holds none; a file

@@ -302,6 +302,38 @@ TEST_F(ColoursTest, OwnPresetsAreKeptAndBrokenOnesNamed) {
     EXPECT_TRUE(std::filesystem::exists(PresetsFeature::folder() / "later.json"));
 }
 
+TEST_F(ColoursTest, APresetThatWasReplacedIsDrawnAnew) {
+    open(test::k_casting);
+    presets->showGallery();
+    PresetThumbnails* pictures = presets->thumbnails();
+    const QString name = QStringLiteral("Own");
+    QString key;
+    const auto drawn = [&](auto&& as_wanted) {
+        return QTest::qWaitFor(
+            [&] {
+                const PresetEntry* chosen = presets->gallery()->chosen();
+                if (!chosen || chosen->name != name.toStdString()) return false;
+                key = PresetGallery::keyOf(*chosen);
+                return !pictures->picture(key).isNull() && as_wanted(pictures->picture(key));
+            },
+            test::k_patience_ms);
+    };
+    presets->saveAs(name);
+    ASSERT_TRUE(drawn([](const QImage&) { return true; }));
+    const QImage before = pictures->picture(key);
+    ViewSettings other = document().settings;
+    for (TransferPoint& point : other.tf.points) point.color = {0, 0, 1};
+    window->documents()->edit(QStringLiteral("Blue"), other);
+    settle();
+    presets->saveAs(name);
+    QMessageBox* question = nullptr;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return (question = window->findChild<QMessageBox*>()) != nullptr; },
+                                test::k_patience_ms));
+    QTest::qWait(400);  // pictures are drawn again as soon as they are wanted
+    question->button(QMessageBox::Yes)->click();
+    EXPECT_TRUE(drawn([&](const QImage& now) { return test::difference(now, before) > 0.01; }));
+}
+
 TEST_F(ColoursTest, ShapesOfValueAndGradientAreDrawnDraggedAndUndone) {
     open(test::k_casting);
     QSignalSpy counted(panel()->histograms(), &HistogramController::jointCounted);

@@ -96,7 +96,11 @@ void PresetsFeature::list(const QString& choose) {
     listing_.start([folder = folder()](const JobContext&) { return list_presets(folder); },
                    [this](Outcome<std::vector<PresetEntry>> outcome) {
                        if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
-                       gallery_->setEntries(std::get<0>(outcome));
+                       const std::vector<PresetEntry>& kept = std::get<0>(outcome);
+                       // A file that was written again looks otherwise, whoever wrote it.
+                       for (const PresetEntry& entry : kept)
+                           if (!gallery_->holds(entry)) thumbnails_->forget(PresetGallery::keyOf(entry));
+                       gallery_->setEntries(kept);
                        gallery_->choose(std::exchange(choose_, QString()));
                        Q_EMIT listed();
                    });
@@ -169,7 +173,6 @@ void PresetsFeature::keep(const PresetFile& preset, bool replace) {
             if (const Error* error = std::get_if<Error>(&outcome)) return bench_.report(*error);
             const Kept& file = std::get<0>(outcome);
             if (!file) return askToReplace(preset);
-            thumbnails_->forget(QString::fromStdString(file->string()));
             const QString name = QString::fromStdString(preset.tf.name);
             // What was said before, such as that it lacked a name, is over.
             bench_.messages()->showNotice(tr("The preset “%1” is saved.").arg(name));

@@ -6,6 +6,7 @@
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/core_sentences.h"
 #include "ui/preset_thumbnails.h"
@@ -139,6 +140,10 @@ const PresetEntry* PresetGallery::chosen() const {
 void PresetGallery::choose(const QString& name) {
     for (std::size_t i = 0; i < entries_.size(); ++i)
         if (QString::fromStdString(entries_[i].name) == name) list_->setCurrentRow(int(i));
+}
+
+bool PresetGallery::holds(const PresetEntry& entry) const {
+    return std::find(entries_.begin(), entries_.end(), entry) != entries_.end();
 }
 
 void PresetGallery::showChosen() {

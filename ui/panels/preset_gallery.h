@@ -25,6 +25,8 @@ public:
     /// Null where none is chosen.
     const lacuna::PresetEntry* chosen() const;
     void choose(const QString& name);
+    /// Whether this very entry is listed, with what its file held then.
+    bool holds(const lacuna::PresetEntry& entry) const;
     bool withTechnique() const { return technique_->isChecked(); }
     QListWidget* list() const { return list_; }
     QCheckBox* techniqueBox() const { return technique_; }
