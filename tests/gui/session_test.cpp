@@ -118,6 +118,22 @@ TEST_F(SessionTest, ClosingTheWindowDoesNotLoseASave) {
     EXPECT_TRUE(SessionFeature::autosaveFolder().entryList({QStringLiteral("autosave-*.lacuna")}).isEmpty());
 }
 
+TEST_F(SessionTest, WhatIsBeingKeptWhenOtherDataIsOpenedBecomesTheLastSession) {
+    open(k_casting);
+    changeThings();
+    const Document other = make_document("sample:spheres@24", open_volume("sample:spheres@24"));
+    QSignalSpy kept(session(), &SessionFeature::autosaved);
+    session()->autosave();
+    window->documents()->open(other);
+    ASSERT_TRUE(kept.count() > 0 || kept.wait(k_patience_ms));
+    ASSERT_TRUE(QFile::exists(SessionFeature::lastFile()));
+    const Session last = load_session(SessionFeature::lastFile().toStdString());
+    EXPECT_EQ(last.input, k_casting.toStdString());
+    EXPECT_EQ(last.settings.iso, 1234.5);
+    EXPECT_TRUE(SessionFeature::autosaveFolder().entryList({QStringLiteral("autosave-*.lacuna")}).isEmpty())
+        << "after a crash the other data's session would be taken for this";
+}
+
 TEST_F(SessionTest, ASecondSaveDoesNotReplaceOneThatStillRuns) {
     open(k_casting);
     // Large enough that the first still hashes its voxels when the others come.

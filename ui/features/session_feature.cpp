@@ -6,6 +6,8 @@
 #include <QUuid>
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <system_error>
 #include <tuple>
 #include <utility>
 
@@ -39,6 +41,12 @@ QString session_filter() { return SessionFeature::tr("Sessions (*.lacuna)"); }
 
 bool same(const OpenOptions& a, const OpenOptions& b) {
     return std::tie(a.raw, a.series, a.keep_gaps, a.spacing_mm) == std::tie(b.raw, b.series, b.keep_gaps, b.spacing_mm);
+}
+
+/// In one step: another window may do the same.
+void make_last(const QString& file) {
+    std::error_code ignored;
+    std::filesystem::rename(file.toStdString(), SessionFeature::lastFile().toStdString(), ignored);
 }
 
 bool data_exists(const Session& session) {
@@ -75,7 +83,8 @@ SessionFeature::SessionFeature(Workbench& bench, InspectionFeature& inspection, 
     lock_->tryLock(0);
     connect(&autosave_timer_, &QTimer::timeout, this, [this] {
         const int minutes = preferences::autosave_minutes();  // may be changed at any time
-        if (minutes > 0 &&
+        const bool writing = write_ && write_->running();
+        if (minutes > 0 && !writing &&
             (since_autosave_.elapsed() >= qint64(minutes) * 60000 || since_change_.elapsed() >= k_rest_ms))
             autosave();
     });
@@ -268,7 +277,7 @@ void SessionFeature::askForData(Session session, const QString& file) {
 }
 
 void SessionFeature::documentOpened() {
-    keepAsLast();
+    if (!write_ || !write_->running()) keepAsLast();  // else it would come after, in the place of the next one's
     ++opened_;
     hash_.cancel();
     sha256_.clear();
@@ -342,7 +351,7 @@ void SessionFeature::restoreRegions(const Session& session) {
 }
 
 void SessionFeature::autosave() {
-    if (!dirty_ || !write_ || write_->running() || !bench_.documents()->hasDocument()) return;
+    if (!dirty_ || !write_ || !bench_.documents()->hasDocument()) return;
     dirty_ = false;
     since_autosave_.restart();
     write_->start(
@@ -350,7 +359,8 @@ void SessionFeature::autosave() {
             save_session(session, file.toStdString());
             return true;
         },
-        [this](Outcome<bool> outcome) {
+        [this, opened = opened_](Outcome<bool> outcome) {
+            if (opened != opened_) keepAsLast();  // of what has left the window since
             if (const Error* error = std::get_if<Error>(&outcome)) {
                 dirty_ = true;  // tried again, as when the disk has room again; said once
                 if (!std::exchange(autosave_fails_, true)) bench_.report(*error);
@@ -363,9 +373,7 @@ void SessionFeature::autosave() {
 
 /// The autosave of what is leaving the window becomes the last session.
 void SessionFeature::keepAsLast() {
-    if (!QFileInfo::exists(autosave_file_)) return;
-    QFile::remove(lastFile());
-    QFile::rename(autosave_file_, lastFile());
+    if (QFileInfo::exists(autosave_file_)) make_last(autosave_file_);
 }
 
 void SessionFeature::offerRecovery() {
@@ -387,8 +395,7 @@ void SessionFeature::offerRecovery() {
     bench_.messages()->ask(tr("Lacuna did not end as it should. What was open was last kept at %1.").arg(when),
                            {{tr("Restore"),
                              [this, file] {
-                                 QFile::remove(lastFile());
-                                 QFile::rename(file, lastFile());
+                                 make_last(file);
                                  openFile(lastFile());
                              }},
                             {tr("Discard"), [file] { QFile::remove(file); }}});
