@@ -6538,6 +6538,10 @@
         <source>Reason (kept in the report):</source>
         <translation>Grund (steht im Bericht):</translation>
     </message>
+    <message>
+        <source>Meanwhile other defects were found, which have other numbers; choose the defect again.</source>
+        <translation>Inzwischen wurden andere Fehlstellen gefunden, die andere Nummern haben; wählen Sie die Fehlstelle noch einmal.</translation>
+    </message>
 </context>
 <context>
     <name>lacuna::ui::LayoutFeature</name>

@@ -179,11 +179,12 @@ void InspectionFeature::writeReport(const QString& folder) {
     const Criteria criteria = panel_->form()->criteria();
     writes_.start(tr("Writing the report"), folder,
                   [volume, criteria, options, open, folder, engine = bench_.engine()](const JobContext& job) mutable {
-                      if (volume.dicom) options.source = find_dicom_source(options.input, open, job);
+                      if (volume.dicom) options.source = find_dicom_source(options.input, open, {job.stop});
                       const std::filesystem::path path = folder.toStdString();
                       check_report_folder(path);
-                      const std::vector<ZoneMask> zones = lay_zones(criteria, volume.geometry(), job);
-                      write_report(inspect_part(volume, criteria, zones, *engine, options, job), volume, path, job);
+                      const std::vector<ZoneMask> zones = lay_zones(criteria, volume.geometry(), {job.stop});
+                      write_report(inspect_part(volume, criteria, zones, *engine, options, job.part(0, 0.9)), volume,
+                                   path, job.part(0.9, 1));
                   },
                   tr("The report stands in %1."),
                   {{tr("Open the report"), [page = QDir(folder).filePath(QStringLiteral("report.html"))] {

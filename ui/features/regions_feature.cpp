@@ -101,17 +101,18 @@ void RegionsFeature::exportTable() {
         bench_.messages()->showNotice(tr("There is no region table yet; compute the regions first."));
         return;
     }
+    // Jobs end while the dialog asks: the table is the one it asked about.
+    const Volume volume = documents->document().volume;
+    const std::shared_ptr<const RegionTable> table = documents->document().regions;
     const QString file = file_choice::save_file(bench_.window(), tr("Export the region table"), FileKind::table,
                                                 QStringLiteral("regions.csv"), tr("Tables (*.csv)"));
     if (file.isEmpty()) return;
-    writes_.start(
-        tr("Writing the region table"), file,
-        [volume = documents->document().volume, table = documents->document().regions, file](const JobContext& job) {
-            // The panel shows what the voxels tell; the file also holds what surfaces and distances do.
-            RegionTable measured = *table;
-            measure_surfaces(volume, measured, job);
-            write_file(file.toStdString(), regions_to_csv(measured));
-        });
+    writes_.start(tr("Writing the region table"), file, [volume, table, file](const JobContext& job) {
+        // The panel shows what the voxels tell; the file also holds what surfaces and distances do.
+        RegionTable measured = *table;
+        measure_surfaces(volume, measured, job);
+        write_file(file.toStdString(), regions_to_csv(measured));
+    });
 }
 
 }  // namespace lacuna::ui

@@ -247,11 +247,17 @@ void InspectionPanel::showVerdict() {
 void InspectionPanel::askReason(bool accepted) {
     const std::uint32_t id = chosen();
     if (id == 0) return;
+    const std::shared_ptr<const PartAnalysis> asked_about = analysis_;
     bool given = false;
     const QString reason =
         QInputDialog::getText(this, accepted ? tr("Accept defect %1").arg(id) : tr("Reject defect %1").arg(id),
                               tr("Reason (kept in the report):"), QLineEdit::Normal, {}, &given);
-    if (given && !reason.trimmed().isEmpty()) decide(id, accepted, reason.trimmed());
+    if (!given || reason.trimmed().isEmpty()) return;
+    if (analysis_ != asked_about) {
+        Q_EMIT failed(tr("Meanwhile other defects were found, which have other numbers; choose the defect again."));
+        return;
+    }
+    decide(id, accepted, reason.trimmed());
 }
 
 void InspectionPanel::decide(std::uint32_t defect, bool accepted, const QString& reason) {
