@@ -46,6 +46,7 @@ ordered_json info_json(const Volume& volume, const VolumeStatistics& statistics,
                       {"spacing", {g.spacing.x, g.spacing.y, g.spacing.z}},
                       {"origin", {g.origin.x, g.origin.y, g.origin.z}},
                       {"direction", direction},
+                      {"axes", g.axis_names == AxisNames::patient ? "patient" : "xyz"},
                       {"scalar", std::string(name_of(volume.type()))},
                       {"range", {statistics.range.lo, statistics.range.hi}},
                       {"unit", volume.unit},
@@ -82,6 +83,8 @@ std::string info_text(const Volume& volume, const VolumeStatistics& statistics, 
     for (int axis = 0; axis < 3; ++axis)
         text += fmt::format("axis {}     {:.6g}, {:.6g}, {:.6g}\n", axis_names[axis], g.direction[axis].x,
                             g.direction[axis].y, g.direction[axis].z);
+    text += g.axis_names == AxisNames::patient ? "axes       a patient's: x to the left, y to the back, z to the head\n"
+                                               : "axes       X, Y, Z of a part\n";
     text +=
         fmt::format("values     {}, {:.6g} to {:.6g}{}, mean {:.6g}, Otsu's threshold {:.6g}\n", name_of(volume.type()),
                     statistics.range.lo, statistics.range.hi, unit, statistics.mean, otsu_threshold(statistics));

@@ -4,6 +4,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/volume/samples.h"
+#include "ui/axis_words.h"
 #include "ui/file_choice.h"
 #include "ui/main_window.h"
 #include "ui/tool_bar.h"
@@ -90,15 +91,14 @@ void MainWindow::buildViewMenu() {
         modes_->addAction(action);
     }
     QMenu* sides = view->addMenu(tr("&Look from"));
-    const std::pair<char, QString> names[] = {{'A', tr("Front (anterior)")},
-                                              {'P', tr("Back (posterior)")},
-                                              {'L', tr("Left")},
-                                              {'R', tr("Right")},
-                                              {'H', tr("Head")},
-                                              {'F', tr("Feet")}};
-    for (const auto& [side, name] : names)
-        bench_->add(sides, name, QKeySequence(QString(QLatin1Char(side))), this,
-                    [this, side = side] { views_->volumeView()->lookFrom(side); });
+    for (const char side : {'A', 'P', 'L', 'R', 'H', 'F'}) {
+        QAction* action =
+            bench_->add(sides, standard_view_name(AxisNames::patient, side), QKeySequence(QString(QLatin1Char(side))),
+                        this, [this, side] { views_->volumeView()->lookFrom(side); });
+        connect(documents_, &DocumentController::opened, action, [this, action, side] {
+            action->setText(standard_view_name(documents_->document().volume.geometry().axis_names, side));
+        });
+    }
     offer_tool(bench_->add(view, tr("&Reset the 3D view"), QKeySequence(QStringLiteral("0")), views_->volumeView(),
                            &VolumeView::resetCamera),
                ToolGroup::layout, Icon::reset_view, tr("Reset"));
@@ -140,9 +140,17 @@ void MainWindow::buildGoMenu() {
     const auto key = [](int digit) { return QKeySequence(QStringLiteral("Ctrl+%1").arg(digit)); };
     const auto view = [this](QWidget* widget) { return [this, widget] { views_->focusView(widget); }; };
     bench_->add(go, tr("&3D view"), key(1), this, view(views_->volumeView()));
-    bench_->add(go, tr("&Axial slice"), key(2), this, view(views_->slice(SliceKind::axial)));
-    bench_->add(go, tr("&Coronal slice"), key(3), this, view(views_->slice(SliceKind::coronal)));
-    bench_->add(go, tr("&Sagittal slice"), key(4), this, view(views_->slice(SliceKind::sagittal)));
+    const std::pair<QString, QString> slices[] = {{tr("&Axial slice"), tr("&XY slice")},
+                                                  {tr("&Coronal slice"), tr("X&Z slice")},
+                                                  {tr("&Sagittal slice"), tr("&YZ slice")}};
+    for (const SliceKind kind : k_slice_kinds) {
+        const auto& [of_patient, of_part] = slices[std::size_t(kind)];
+        QAction* action = bench_->add(go, of_patient, key(2 + int(kind)), this, view(views_->slice(kind)));
+        connect(documents_, &DocumentController::opened, action, [this, action, a = of_patient, b = of_part] {
+            const AxisNames names = documents_->document().volume.geometry().axis_names;
+            action->setText(names == AxisNames::patient ? a : b);
+        });
+    }
     bench_->add(go, tr("View &mode"), key(5), this, [this] { focusPanel(scene_dock_, render_panel_->modeBox()); });
     bench_->add(go, tr("C&olours"), key(6), this, [this] {
         transfer_panel_->showPage(TransferPanel::k_values);

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "ui/axis_words.h"
 #include "ui/core_sentences.h"
 #include "ui/dialogs/close_dialog.h"
 #include "ui/dropped_files.h"
@@ -354,18 +355,14 @@ void MainWindow::readOut(const glm::ivec3& voxel) {
     const Volume& volume = documents_->document().volume;
     const double value = volume.value(voxel.x, voxel.y, voxel.z);
     const glm::dvec3 mm = volume.geometry().voxel_to_mm(glm::dvec3(voxel));
-    const auto side = [](double at, char positive, char negative) {
-        return QStringLiteral("%1 %2")
-            .arg(QLatin1Char(at < 0 ? negative : positive))
-            .arg(number_text(std::abs(at), 'f', 2));
-    };
+    const auto place = [&](int axis) { return coordinate_words(volume.geometry().axis_names, axis, mm[axis]); };
     status_->showReadout(tr("%1 at %2  %3  %4 mm · voxel %5, %6, %7")
                              .arg(std::isfinite(value)
                                       ? QStringLiteral("%1 %2")
                                             .arg(number_text(value, 'g', 7), QString::fromStdString(volume.unit))
                                             .trimmed()
                                       : tr("no value"),
-                                  side(mm.x, 'L', 'R'), side(mm.y, 'P', 'A'), side(mm.z, 'H', 'F'))
+                                  place(0), place(1), place(2))
                              .arg(voxel.x)
                              .arg(voxel.y)
                              .arg(voxel.z));

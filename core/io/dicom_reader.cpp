@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/io/axis_rule.h"
 #include "core/io/dicom_pixels.h"
 #include "core/io/dicom_resample.h"
 #include "core/io/dicom_series.h"
@@ -241,6 +242,8 @@ Volume read_dicom_series(const SeriesEntry& series, const OpenOptions& options, 
         loaded.voxels = resample_slices(loaded.voxels, loaded.type, size, plan, air, rest);
     job.checkpoint(1, 1);
 
+    const File& file = scan->file_of(slice);
+    plan.grid.axis_names = axis_names_of({FileFormat::dicom, {}, slice.has_orientation, !file.component.empty()});
     Volume volume(plan.grid, loaded.type, std::move(loaded.voxels));
     volume.name =
         series.description.empty() ? "series " + std::to_string(std::max(1, series.number)) : series.description;

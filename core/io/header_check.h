@@ -27,6 +27,7 @@ struct HeaderFacts {
     glm::dvec3 mm_per_spacing{1};        ///< the header's lengths are in this unit along each axis
     glm::dvec3 mm_per_origin{1};         ///< and its position
     std::optional<glm::dvec3> spacing, origin;  ///< stated in a way that ITK does not take
+    AxisNames axis_names = AxisNames::xyz;      ///< as axis_names_of() finds
     std::vector<Warning> warnings;
 };
 

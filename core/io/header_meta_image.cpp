@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/io/axis_rule.h"
 #include "core/io/header_text.h"
 #include "core/io/raw_reader.h"
 #include "core/io/text_fields.h"
@@ -181,6 +182,7 @@ HeaderFacts check_meta_image(const fs::path& file) {
     std::uint64_t need = word;
     for (const std::int64_t n : *dims) need = checked_bytes(file.string(), n, 1, 1, need);
     HeaderFacts facts;
+    facts.axis_names = axis_names_of({FileFormat::meta_image, field(f, "AnatomicalOrientation")});
     read_meta_scales(f, facts);
     const std::string named = field(f, "ElementDataFile");
     const fs::path data = meta_image_data_file(file);

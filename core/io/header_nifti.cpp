@@ -14,6 +14,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/io/axis_rule.h"
 #include "core/io/header_text.h"
 #include "core/io/raw_reader.h"
 #include "core/io/text_fields.h"
@@ -146,7 +147,9 @@ HeaderFacts check_nifti(const fs::path& file) {
         facts.slope = h.scl_slope;
         facts.intercept = std::isfinite(h.scl_inter) ? h.scl_inter : 0;
     }
-    if (h.qform_code <= 0 && h.sform_code <= 0)
+    const bool oriented = h.qform_code > 0 || h.sform_code > 0;
+    facts.axis_names = axis_names_of({FileFormat::nifti, {}, oriented});
+    if (!oriented)
         facts.warnings.push_back(
             {"The file states no orientation (neither qform nor sform): left and right cannot be "
              "known from it.",

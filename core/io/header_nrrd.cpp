@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/io/axis_rule.h"
 #include "core/io/header_text.h"
 #include "core/io/raw_reader.h"
 #include "core/io/text_fields.h"
@@ -19,6 +20,9 @@ using namespace headers;
 
 namespace {
 
+/// Stands before the keys of key/value pairs ("key:=value"), which are none of the format's own fields.
+const std::string k_pair = ":=";
+
 HeaderText nrrd_text(const fs::path& file) {
     const std::string text = head_of(file);
     if (!text.starts_with("NRRD")) refuse(file, "it is no NRRD file (it does not start with NRRD)");
@@ -29,6 +33,10 @@ HeaderText nrrd_text(const fs::path& file) {
         const std::string_view line = trimmed(std::string_view(text).substr(at, stop - at));
         at = std::min(stop + 1, text.size());
         if (line.empty()) break;
+        if (const auto pair = line.find(":="); pair != std::string_view::npos && pair < line.find(": ")) {
+            if (line.front() != '#') header.fields[k_pair + std::string(line.substr(0, pair))] = line.substr(pair + 2);
+            continue;
+        }
         const auto colon = line.find(": ");
         if (line.front() == '#' || colon == std::string_view::npos) {
             if (line.ends_with(":")) header.fields[lower_case(line.substr(0, line.size() - 1))] = "";
@@ -190,6 +198,8 @@ HeaderFacts check_nrrd(const fs::path& file) {
     HeaderFacts facts;
     if (!f.contains("spacings") && !f.contains("space directions")) read_nrrd_ends(file, f, *sizes, facts);
     read_nrrd_units(file, f, facts);
+    facts.axis_names = axis_names_of(
+        {FileFormat::nrrd, field(f, "space"), true, false, field(f, k_pair + std::string(k_axes_key)) == k_axes_xyz});
     facts.voxels = nrrd_voxels(file, header, need);
     return facts;
 }

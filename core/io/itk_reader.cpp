@@ -141,6 +141,7 @@ void correct_geometry(const HeaderFacts& facts, GridGeometry& geometry) {
     if (facts.origin) geometry.origin = *facts.origin;
     geometry.spacing *= facts.mm_per_spacing;
     geometry.origin *= facts.mm_per_origin;
+    geometry.axis_names = facts.axis_names;
 }
 
 OpenedImage open_image(const fs::path& file, ItkFormat format) {

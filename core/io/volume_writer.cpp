@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "core/base/error.h"
+#include "core/io/axis_rule.h"
 #include "core/io/dicom_writer.h"
 #include "core/io/nifti_writer.h"
 #include "core/io/output_file.h"
@@ -25,7 +26,8 @@ std::span<const std::byte> bytes_of(const Volume& volume) { return {volume.data(
 
 std::string row_of(const glm::dvec3& v) { return fmt::format("{} {} {}", v.x, v.y, v.z); }
 
-/// NRRD 4 with gzip data behind the header (teem's format definition); `space` is LPS, our own axes.
+/// NRRD 4 with gzip data behind the header (teem's format definition). `space` is LPS, our own axes: of a part, too, as
+/// readers place a file by it; a key of our own says that they are called X, Y, Z.
 std::string nrrd_header(const GridGeometry& g, std::string_view type, std::string_view encoding) {
     std::string directions;
     for (int a = 0; a < 3; ++a) {
@@ -35,8 +37,9 @@ std::string nrrd_header(const GridGeometry& g, std::string_view type, std::strin
     return fmt::format(
         "NRRD0004\n# Complete NRRD file format specification at:\n# http://teem.sourceforge.net/nrrd/format.html\n"
         "type: {}\ndimension: 3\nspace: left-posterior-superior\nsizes: {} {} {}\nspace directions: {}\n"
-        "kinds: domain domain domain\nendian: little\nencoding: {}\nspace origin: ({},{},{})\n\n",
-        type, g.size.x, g.size.y, g.size.z, directions, encoding, g.origin.x, g.origin.y, g.origin.z);
+        "kinds: domain domain domain\nendian: little\nencoding: {}\nspace origin: ({},{},{})\n{}\n",
+        type, g.size.x, g.size.y, g.size.z, directions, encoding, g.origin.x, g.origin.y, g.origin.z,
+        g.axis_names == AxisNames::xyz ? fmt::format("{}:={}\n", k_axes_key, k_axes_xyz) : "");
 }
 
 std::string_view nrrd_type(VoxelType type) {
@@ -114,10 +117,11 @@ std::string meta_header(const Volume& volume, const std::string& data_file) {
     const GridGeometry& g = volume.geometry();
     return fmt::format(
         "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nCompressedData = False\n"
-        "TransformMatrix = {} {} {}\nOffset = {}\nCenterOfRotation = 0 0 0\nAnatomicalOrientation = RAI\n"
+        "TransformMatrix = {} {} {}\nOffset = {}\nCenterOfRotation = 0 0 0\nAnatomicalOrientation = {}\n"
         "ElementSpacing = {}\nDimSize = {} {} {}\nElementType = {}\nElementDataFile = {}\n",
-        row_of(g.direction[0]), row_of(g.direction[1]), row_of(g.direction[2]), row_of(g.origin), row_of(g.spacing),
-        g.size.x, g.size.y, g.size.z, meta_type(volume.type()), data_file);
+        row_of(g.direction[0]), row_of(g.direction[1]), row_of(g.direction[2]), row_of(g.origin),
+        g.axis_names == AxisNames::patient ? "RAI" : "???", row_of(g.spacing), g.size.x, g.size.y, g.size.z,
+        meta_type(volume.type()), data_file);
 }
 
 std::string_view dat_format(VoxelType type) {

@@ -5,6 +5,10 @@
 
 namespace lacuna {
 
+/// What the axes of a volume's space are called to the person who looks: the sides of a patient's body (L R, P A, H F),
+/// or X, Y, Z of a part. Positions are the same numbers either way.
+enum class AxisNames { xyz, patient };
+
 /// Where a regular grid lies in the patient's (or part's) space, in millimetres, DICOM's LPS axes: +x to the
 /// patient's left, +y to the back, +z to the head. Voxel (i, j, k)'s centre is at
 /// origin + direction * (i*spacing.x, j*spacing.y, k*spacing.z); the columns of `direction` are orthonormal.
@@ -13,6 +17,7 @@ struct GridGeometry {
     glm::dvec3 spacing{1.0};       ///< mm between voxel centres, each > 0
     glm::dvec3 origin{0.0};        ///< mm, centre of voxel (0, 0, 0)
     glm::dmat3 direction{1.0};     ///< columns: the grid axes as unit vectors
+    AxisNames axis_names = AxisNames::xyz;  ///< what x, y, z of its space are called; core/io/axis_rule.h says when
 
     std::int64_t voxel_count() const { return std::int64_t(size.x) * size.y * size.z; }
     std::int64_t linear_index(int x, int y, int z) const {

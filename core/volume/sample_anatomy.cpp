@@ -80,6 +80,7 @@ Layer air_spaces() {
 Scene head(const SampleOptions& options) {
     Scene scene;
     scene.geometry = cube_grid(options.dims, k_head_edge_mm);
+    scene.geometry.axis_names = AxisNames::patient;
     scene.type = VoxelType::i16;
     scene.unit = "HU";
     scene.background = -1000;
@@ -156,6 +157,7 @@ Scene vessels(const SampleOptions& options) {
     constexpr double k_bulge_mm = 5.5;
     Scene scene;
     scene.geometry = cube_grid(options.dims, k_vessels_edge_mm);
+    scene.geometry.axis_names = AxisNames::patient;
     scene.type = VoxelType::u16;
     scene.background = 200;
     scene.material = 1200;

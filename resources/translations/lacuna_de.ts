@@ -2,6 +2,38 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AxisWords</name>
+    <message>
+        <source>From %1</source>
+        <comment>a standard view; %1: the end of an axis, +X</comment>
+        <translation>Von %1</translation>
+    </message>
+    <message>
+        <source>Front (anterior)</source>
+        <translation>Vorn (anterior)</translation>
+    </message>
+    <message>
+        <source>Back (posterior)</source>
+        <translation>Hinten (posterior)</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Fuß</translation>
+    </message>
+</context>
+<context>
     <name>ColourMap</name>
     <message>
         <source>grey</source>
@@ -4652,10 +4684,6 @@
         <source>%1 µm</source>
         <translation>%1 µm</translation>
     </message>
-    <message>
-        <source>%1 %2 mm</source>
-        <translation>%1 %2 mm</translation>
-    </message>
 </context>
 <context>
     <name>Turntable</name>
@@ -5511,18 +5539,6 @@
         <translation>Seite wechseln</translation>
     </message>
     <message>
-        <source>Sagittal</source>
-        <translation>Sagittal</translation>
-    </message>
-    <message>
-        <source>Coronal</source>
-        <translation>Koronal</translation>
-    </message>
-    <message>
-        <source>Axial</source>
-        <translation>Axial</translation>
-    </message>
-    <message>
         <source>Azimuth of the cut&apos;s normal</source>
         <translation>Azimut der Schnittnormale</translation>
     </message>
@@ -5613,6 +5629,10 @@
     <message>
         <source>Cut %1</source>
         <translation>Schnitt %1</translation>
+    </message>
+    <message>
+        <source>Cut along %1</source>
+        <translation>Entlang %1 schneiden</translation>
     </message>
 </context>
 <context>
@@ -6780,30 +6800,6 @@
         <translation>&amp;Blick von</translation>
     </message>
     <message>
-        <source>Front (anterior)</source>
-        <translation>Vorn (anterior)</translation>
-    </message>
-    <message>
-        <source>Back (posterior)</source>
-        <translation>Hinten (posterior)</translation>
-    </message>
-    <message>
-        <source>Left</source>
-        <translation>Links</translation>
-    </message>
-    <message>
-        <source>Right</source>
-        <translation>Rechts</translation>
-    </message>
-    <message>
-        <source>Head</source>
-        <translation>Kopf</translation>
-    </message>
-    <message>
-        <source>Feet</source>
-        <translation>Fuß</translation>
-    </message>
-    <message>
         <source>&amp;Reset the 3D view</source>
         <translation>3D-Ansicht &amp;zurücksetzen</translation>
     </message>
@@ -6961,6 +6957,18 @@
             <numerusform>Offen ist nur eines: %n anderes bleibt weg.</numerusform>
             <numerusform>Offen ist nur eines: %n andere bleiben weg.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;XY slice</source>
+        <translation>&amp;XY-Schicht</translation>
+    </message>
+    <message>
+        <source>X&amp;Z slice</source>
+        <translation>X&amp;Z-Schicht</translation>
+    </message>
+    <message>
+        <source>&amp;YZ slice</source>
+        <translation>&amp;YZ-Schicht</translation>
     </message>
 </context>
 <context>
@@ -8345,6 +8353,10 @@
     <message>
         <source>no</source>
         <translation>nein</translation>
+    </message>
+    <message>
+        <source>Coordinate of the centroid</source>
+        <translation>Koordinate des Schwerpunkts</translation>
     </message>
 </context>
 <context>

@@ -24,6 +24,7 @@ GridGeometry grid(glm::ivec3 size, glm::dmat3 direction = glm::dmat3(1)) {
     geometry.size = size;
     geometry.spacing = {1, 1, 5};
     geometry.direction = direction;
+    geometry.axis_names = AxisNames::patient;
     return geometry;
 }
 

@@ -107,7 +107,9 @@ MeasurePanel::Row MeasureFeature::rowOf(const Measurement& m) const {
     for (const SliceKind kind : k_slice_kinds) {
         const SlicePlane plane = slice_plane(geometry, kind);
         if (!(std::abs(glm::dot(plane.normal(), m.normal())) > 1 - 1e-9)) continue;
-        row.where = tr("%1 %2").arg(slice_title(kind)).arg(nearest_voxel(geometry, m.points_mm[0])[plane.w] + 1);
+        row.where = tr("%1 %2")
+                        .arg(slice_title(kind, geometry.axis_names))
+                        .arg(nearest_voxel(geometry, m.points_mm[0])[plane.w] + 1);
     }
     if (row.where.isEmpty()) row.where = tr("tilted");
     if (!m.is_region()) {

@@ -10,10 +10,13 @@ namespace lacuna::ui {
 namespace {
 
 struct Column {
-    const char *name, *hint;
-    int digits;  ///< significant digits; 0: a whole number
+    const char *name, *hint;  ///< the hint of a patient's coordinate says where it counts to
+    int digits;               ///< significant digits; 0: a whole number
     double (*value)(const RegionCharacteristics&);
+    bool coordinate = false;
 };
+
+constexpr const char* k_centroid = QT_TRANSLATE_NOOP("lacuna::ui::RegionModel", "Coordinate of the centroid");
 
 using Row = const RegionCharacteristics&;
 constexpr std::array k_columns = {
@@ -59,18 +62,24 @@ constexpr std::array k_columns = {
            [](Row r) { return r.stddev; }},
     Column{QT_TRANSLATE_NOOP("lacuna::ui::RegionModel", "x mm"),
            QT_TRANSLATE_NOOP("lacuna::ui::RegionModel", "Centroid, to the patient's left"), 5,
-           [](Row r) { return r.centroid_mm.x; }},
+           [](Row r) { return r.centroid_mm.x; }, true},
     Column{QT_TRANSLATE_NOOP("lacuna::ui::RegionModel", "y mm"),
            QT_TRANSLATE_NOOP("lacuna::ui::RegionModel", "Centroid, to the back"), 5,
-           [](Row r) { return r.centroid_mm.y; }},
+           [](Row r) { return r.centroid_mm.y; }, true},
     Column{QT_TRANSLATE_NOOP("lacuna::ui::RegionModel", "z mm"),
            QT_TRANSLATE_NOOP("lacuna::ui::RegionModel", "Centroid, to the head"), 5,
-           [](Row r) { return r.centroid_mm.z; }},
+           [](Row r) { return r.centroid_mm.z; }, true},
     Column{QT_TRANSLATE_NOOP("lacuna::ui::RegionModel", "Border"),
            QT_TRANSLATE_NOOP("lacuna::ui::RegionModel", "The region touches the volume's border"), 0,
            [](Row r) { return r.touches_border ? 1.0 : 0.0; }}};
 
 }  // namespace
+
+void RegionModel::setAxisNames(AxisNames names) {
+    if (names == names_) return;
+    names_ = names;
+    Q_EMIT headerDataChanged(Qt::Horizontal, 0, int(k_columns.size()) - 1);
+}
 
 void RegionModel::setTable(std::shared_ptr<const RegionTable> table) {
     beginResetModel();
@@ -105,7 +114,8 @@ QVariant RegionModel::data(const QModelIndex& index, int role) const {
 QVariant RegionModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || section < 0 || section >= int(k_columns.size())) return {};
     if (role == Qt::DisplayRole) return tr(k_columns[std::size_t(section)].name);
-    if (role == Qt::ToolTipRole) return tr(k_columns[std::size_t(section)].hint);
+    const Column& column = k_columns[std::size_t(section)];
+    if (role == Qt::ToolTipRole) return tr(column.coordinate && names_ == AxisNames::xyz ? k_centroid : column.hint);
     return {};
 }
 

@@ -16,6 +16,8 @@ public:
 
     explicit RegionModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
     void setTable(std::shared_ptr<const lacuna::RegionTable> table);
+    /// What the axes are called that the centroids are told along.
+    void setAxisNames(lacuna::AxisNames names);
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
@@ -23,6 +25,7 @@ public:
 
 private:
     std::shared_ptr<const RegionTable> table_;
+    AxisNames names_ = AxisNames::xyz;
 };
 
 }  // namespace lacuna::ui

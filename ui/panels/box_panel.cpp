@@ -4,20 +4,9 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "core/volume/axis_names.h"
+
 namespace lacuna::ui {
-
-namespace {
-
-/// The patient's axis a grid axis runs along, from its lower to its upper end ("R–L").
-QString axis_name(const glm::dvec3& direction) {
-    static const char* const names[3][2] = {{"R–L", "L–R"}, {"A–P", "P–A"}, {"F–H", "H–F"}};
-    int most = 0;
-    for (int a = 1; a < 3; ++a)
-        if (std::abs(direction[a]) > std::abs(direction[most])) most = a;
-    return QString::fromUtf8(names[most][direction[most] < 0]);
-}
-
-}  // namespace
 
 BoxPanel::BoxPanel(QWidget* parent)
     : QWidget(parent),
@@ -79,7 +68,7 @@ void BoxPanel::edit(const QString& name, Change&& change) {
 void BoxPanel::setGeometry3d(const GridGeometry& geometry) {
     geometry_ = geometry;
     for (int axis = 0; axis < 3; ++axis) {
-        const QString name = axis_name(geometry.direction[axis]);
+        const QString name = QString::fromStdString(axis_span(geometry.axis_names, geometry.direction[axis]));
         findChild<QLabel*>(QStringLiteral("axis%1").arg(axis))->setText(name);
         ends_[axis]->setLimits({0, double(std::max(1, geometry.size[axis]))});
         ends_[axis]->setAccessibleName(tr("Ends of the box from %1, in voxels").arg(name));

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/views/slice_annotations.h"
+
 namespace lacuna::ui {
 
 namespace {
@@ -43,8 +45,7 @@ CutsPanel::CutsPanel(QWidget* parent)
       add_(new QPushButton(tr("Add a cut"), this)),
       remove_(new QPushButton(tr("Remove"), this)),
       flip_(new QPushButton(tr("Flip side"), this)),
-      axes_{new QPushButton(tr("Sagittal"), this), new QPushButton(tr("Coronal"), this),
-            new QPushButton(tr("Axial"), this)},
+      axes_{new QPushButton(this), new QPushButton(this), new QPushButton(this)},
       azimuth_(new ValueSlider(tr("Azimuth of the cut's normal"), this)),
       elevation_(new ValueSlider(tr("Elevation of the cut's normal"), this)),
       offset_(new ValueSlider(tr("Distance of the cut from the centre"), this)),
@@ -95,9 +96,7 @@ void CutsPanel::build() {
     add_->setAccessibleName(tr("Add a cutting plane"));
     remove_->setAccessibleName(tr("Remove the cutting plane"));
     flip_->setAccessibleName(tr("Keep the other side of the cut"));
-    axes_[0]->setAccessibleName(tr("Cut sagittally"));
-    axes_[1]->setAccessibleName(tr("Cut coronally"));
-    axes_[2]->setAccessibleName(tr("Cut axially"));
+    nameAxes(AxisNames::patient);
     cap_->setAccessibleName(tr("Show data values on the cut face"));
     cap_->setToolTip(tr("Off: the cut is open and inner surfaces show"));
     azimuth_->setLimits({-180, 180});
@@ -129,8 +128,20 @@ void CutsPanel::build() {
     column->addStretch(1);
 }
 
+/// By the planes that the cuts lie in, each across one of the space's axes.
+void CutsPanel::nameAxes(AxisNames names) {
+    const bool patient = names == AxisNames::patient;
+    const QString words[] = {tr("Cut sagittally"), tr("Cut coronally"), tr("Cut axially")};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const QString title = slice_title(k_slice_kinds[2 - axis], names);
+        axes_[axis]->setText(title);
+        axes_[axis]->setAccessibleName(patient ? words[axis] : tr("Cut along %1").arg(title));
+    }
+}
+
 void CutsPanel::setGeometry3d(const GridGeometry& geometry) {
     geometry_ = geometry;
+    nameAxes(geometry.axis_names);
     box_->setGeometry3d(geometry);
     cuts_.clear();
     poses_.clear();

@@ -52,6 +52,7 @@ Q_SIGNALS:
 
 private:
     void build();
+    void nameAxes(lacuna::AxisNames names);
     void showCut();
     void editPose(const QString& name, const CutPose& pose);
     void setAxis(double azimuth_deg, double elevation_deg);

@@ -133,6 +133,7 @@ void RegionsPanel::setVolume(const Volume& volume, std::shared_ptr<const VolumeS
     lo_->setValue(otsu);
     hi_->setValue(statistics_->range.hi);
     compute_->setEnabled(true);
+    model_->setAxisNames(volume.geometry().axis_names);
     setTable(nullptr);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/axis_words.h"
 #include "ui/number_text.h"
 #include "ui/theme.h"
 
@@ -67,14 +68,15 @@ int paint_scale(QPainter& painter, const QRect& inner, double pixels_per_mm) {
 
 }  // namespace
 
-QString slice_title(SliceKind kind) {
+QString slice_title(SliceKind kind, AxisNames names) {
+    const bool patient = names == AxisNames::patient;
     switch (kind) {
         case SliceKind::axial:
-            return Words::tr("Axial");
+            return patient ? Words::tr("Axial") : QStringLiteral("XY");
         case SliceKind::coronal:
-            return Words::tr("Coronal");
+            return patient ? Words::tr("Coronal") : QStringLiteral("XZ");
         case SliceKind::sagittal:
-            return Words::tr("Sagittal");
+            return patient ? Words::tr("Sagittal") : QStringLiteral("YZ");
     }
     return {};
 }
@@ -103,13 +105,10 @@ ScaleLength scale_length(double most_mm) {
     return {mm, Words::tr("%1 µm").arg(number_text(mm * 1000))};
 }
 
-QString position_text(const glm::dvec3& mm, const glm::dvec3& direction) {
-    static constexpr char k_letters[3][2] = {{'L', 'R'}, {'P', 'A'}, {'H', 'F'}};
-    int axis = 0;
-    for (int a = 1; a < 3; ++a)
-        if (std::abs(direction[a]) > std::abs(direction[axis])) axis = a;
+QString position_text(AxisNames names, const glm::dvec3& mm, const glm::dvec3& direction) {
+    const int axis = closest_axis(direction);
     const double along = glm::dot(mm, direction) * (direction[axis] < 0 ? -1 : 1);
-    return Words::tr("%1 %2 mm").arg(QLatin1Char(k_letters[axis][along < 0])).arg(number_text(std::abs(along), 'f', 2));
+    return Words::tr("%1 mm").arg(coordinate_words(names, axis, along));
 }
 
 void draw_words(QPainter& painter, const QRectF& where, int flags, const QString& words, const QColor& ink) {

@@ -17,7 +17,8 @@ struct SliceNotes {
     QStringList position, grey;  ///< at the foot, on the left and on the right
 };
 
-QString slice_title(SliceKind kind);
+/// "Axial", of a part "XY".
+QString slice_title(SliceKind kind, AxisNames names);
 QColor slice_color(SliceKind kind);
 
 /// A length of 1, 2 or 5 times a power of ten, mm, that is at most `most_mm` long, and its name ("5 cm", "200 µm").
@@ -27,13 +28,13 @@ struct ScaleLength {
 };
 ScaleLength scale_length(double most_mm);
 
-/// "H 12.5 mm": how far a position lies along a direction from the origin, with the patient's side.
-QString position_text(const glm::dvec3& mm, const glm::dvec3& direction);
+/// "H 12.50 mm", "Z -3.00 mm": how far a position lies along a direction from the origin, by the axis closest to it.
+QString position_text(AxisNames names, const glm::dvec3& mm, const glm::dvec3& direction);
 
 /// Words with a shadow, readable on any grey.
 void draw_words(QPainter& painter, const QRectF& where, int flags, const QString& words, const QColor& ink);
 
-/// Corner words, the patient's sides at the edges and the scale bar; what does not fit is left out, outermost last.
+/// Corner words, the names of the sides at the edges and the scale bar; what does not fit is left out, outermost last.
 void paint_notes(QPainter& painter, const QRect& view, const SlicePose& pose, const SliceNotes& notes,
                  double pixels_per_mm);
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/session/document.h"
+#include "core/volume/axis_names.h"
 
 namespace lacuna::ui {
 
@@ -23,20 +24,6 @@ std::array<int, 3> closest_grid_axes(const GridGeometry& geometry) {
         if (sum > best_sum + 1e-9) best_sum = sum, best = order;
     } while (std::next_permutation(order.begin(), order.end()));
     return best;
-}
-
-/// The patient's side a direction points to: the letter of its largest component, and of the others that weigh as much
-/// as 25 degrees, in their order.
-std::string letters_of(const glm::dvec3& direction) {
-    static constexpr char k_letters[3][2] = {{'L', 'R'}, {'P', 'A'}, {'H', 'F'}};
-    const double threshold = std::sin(glm::radians(25.0));
-    std::array<int, 3> axes{0, 1, 2};
-    std::stable_sort(axes.begin(), axes.end(),
-                     [&](int a, int b) { return std::abs(direction[a]) > std::abs(direction[b]) + 1e-9; });
-    std::string letters;
-    for (const int axis : axes)
-        if (letters.empty() || std::abs(direction[axis]) >= threshold) letters += k_letters[axis][direction[axis] < 0];
-    return letters;
 }
 
 /// The turn that takes one unit vector to another the shortest way.
@@ -125,10 +112,10 @@ SlicePose slice_pose(const GridGeometry& geometry, SliceKind kind, const glm::dq
         pose.frame = grid_frame(geometry, pose.plane, pose.index);
     }
     pose.page_mm = sheet_distance_mm(geometry, pose.frame.normal());
-    pose.right = letters_of(pose.frame.right);
-    pose.left = letters_of(-pose.frame.right);
-    pose.bottom = letters_of(pose.frame.down);
-    pose.top = letters_of(-pose.frame.down);
+    pose.right = sides_of(geometry.axis_names, pose.frame.right);
+    pose.left = sides_of(geometry.axis_names, -pose.frame.right);
+    pose.bottom = sides_of(geometry.axis_names, pose.frame.down);
+    pose.top = sides_of(geometry.axis_names, -pose.frame.down);
     return pose;
 }
 

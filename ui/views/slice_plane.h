@@ -30,7 +30,7 @@ struct SlicePose {
     bool oblique = false;                  ///< it does not lie along the grid
     int index = 0;                         ///< along the grid: of the slice, along plane.w
     double page_mm = 1;                    ///< between this slice and the next, along the frame's normal
-    std::string left, right, top, bottom;  ///< letters of the patient's sides at the picture's edges: "L", "LA"
+    std::string left, right, top, bottom;  ///< what lies at the picture's edges, as sides_of() says
 };
 
 /// The slice of a family through the cross-hair: along the grid the nearest one, tilted the plane through it. A turn

@@ -18,7 +18,7 @@ SliceView::SliceView(SliceKind kind, QWidget* parent) : QWidget(parent), kind_(k
     setMouseTracking(true);
     setCursor(Qt::CrossCursor);
     setMinimumSize(120, 100);
-    setAccessibleName(tr("%1 slice").arg(slice_title(kind)));
+    nameView();
     setAccessibleDescription(
         tr("Arrow keys move the cross-hair, Page Up and Page Down turn the pages, Shift and arrow keys change window "
            "and level."));
@@ -27,6 +27,7 @@ SliceView::SliceView(SliceKind kind, QWidget* parent) : QWidget(parent), kind_(k
 
 void SliceView::setVolume(const Volume& volume, const std::vector<std::shared_ptr<const VoiTable>>& tables) {
     volume_ = volume;
+    nameView();
     tables_ = tables;
     picture_->setVolume(volume);
     showWindow();
@@ -35,6 +36,11 @@ void SliceView::setVolume(const Volume& volume, const std::vector<std::shared_pt
     if (!volume.empty()) cursor_mm_ = volume.geometry().voxel_to_mm(glm::dvec3(volume.geometry().size / 2));
     place();
     resetView();
+}
+
+void SliceView::nameView() {
+    setAccessibleName(
+        tr("%1 slice").arg(slice_title(kind_, volume_.empty() ? AxisNames::patient : volume_.geometry().axis_names)));
 }
 
 /// Finds the plane anew after the cross-hair or the tilt has moved.
@@ -180,7 +186,9 @@ void SliceView::paintCuts(QPainter& painter) const {
 
 void SliceView::paintNotes(QPainter& painter) const {
     SliceNotes notes;
-    notes.title = pose_.oblique ? tr("%1, tilted").arg(slice_title(kind_)) : slice_title(kind_);
+    const AxisNames names = volume_.geometry().axis_names;
+    const QString title = slice_title(kind_, names);
+    notes.title = pose_.oblique ? tr("%1, tilted").arg(title) : title;
     notes.title_color = slice_color(kind_);
     notes.patient = patient_;
     notes.study = study_;
@@ -190,7 +198,7 @@ void SliceView::paintNotes(QPainter& painter) const {
                            : slab.mode == SlabMode::minip ? tr("MinIP of %1 mm")
                                                           : tr("Mean of %1 mm"))
                               .arg(number_text(slab.thickness_mm, 'g', 4));
-    notes.position << position_text(pose_.frame.to_mm({0, 0}), pose_.frame.normal());
+    notes.position << position_text(names, pose_.frame.to_mm({0, 0}), pose_.frame.normal());
     if (!pose_.oblique) notes.position << tr("%1 / %2").arg(index() + 1).arg(volume_.geometry().size[pose_.plane.w]);
     notes.grey << tr("Zoom %1 %").arg(number_text(100 * zoom_, 'f', 0));
     if (settings_.function == VoiFunction::sigmoid) notes.grey << tr("sigmoid");

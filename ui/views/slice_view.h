@@ -83,6 +83,7 @@ protected:
 
 private:
     void showWindow();
+    void nameView();
     void place();
     void moveCursorTo(const glm::dvec3& mm);
     void moveCursorBy(int right, int down);

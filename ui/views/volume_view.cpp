@@ -7,8 +7,10 @@
 #include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/volume/axis_names.h"
 #include "ui/theme.h"
 
 namespace lacuna::ui {
@@ -142,18 +144,25 @@ void VolumeView::paintEvent(QPaintEvent*) {
 }
 
 void VolumeView::paintAxes(QPainter& painter) const {
-    // A small cross of patient axes in the corner; those that point away are dimmer.
+    // A small cross of the space's axes in the corner; those that point away are dimmer.
     const ViewRays rays = resolve(camera_, *geometry_, {100, 100});
-    const QPointF centre(36, height() - 36.0);
+    const QPointF centre(42, height() - 40.0);
     struct Arm {
-        glm::dvec3 direction;
-        QChar letter;
+        glm::dvec3 direction{0};
+        QString end;
         QColor color;
     };
-    Arm arms[] = {{{1, 0, 0}, 'L', theme::k_sagittal}, {{-1, 0, 0}, 'R', theme::k_sagittal},
-                  {{0, 1, 0}, 'P', theme::k_coronal},  {{0, -1, 0}, 'A', theme::k_coronal},
-                  {{0, 0, 1}, 'H', theme::k_axial},    {{0, 0, -1}, 'F', theme::k_axial}};
-    std::sort(std::begin(arms), std::end(arms), [&](const Arm& a, const Arm& b) {
+    constexpr double k_apart_px = 7;
+    const QColor colors[] = {theme::k_sagittal, theme::k_coronal, theme::k_axial};
+    std::array<Arm, 6> arms;
+    for (int i = 0; i < 6; ++i) {
+        Arm& arm = arms[std::size_t(i)];
+        const std::string_view end = axis_end(geometry_->axis_names, i / 2, i % 2 != 0);
+        arm.direction[i / 2] = i % 2 ? -1 : 1;
+        arm.end = QString::fromUtf8(end.data(), qsizetype(end.size()));
+        arm.color = colors[i / 2];
+    }
+    std::sort(arms.begin(), arms.end(), [&](const Arm& a, const Arm& b) {
         return glm::dot(a.direction, rays.forward) > glm::dot(b.direction, rays.forward);
     });
     for (const Arm& arm : arms) {
@@ -163,8 +172,11 @@ void VolumeView::paintAxes(QPainter& painter) const {
         ink.setAlpha(glm::dot(arm.direction, rays.forward) > 0.01 ? 90 : 255);
         painter.setPen(QPen(ink, 1.5));
         painter.drawLine(centre, tip);
-        const QPointF letter = centre + 1.45 * (tip - centre);
-        painter.drawText(QRectF(letter.x() - 8, letter.y() - 8, 16, 16), Qt::AlignCenter, QString(arm.letter));
+        // Of two ends behind each other the nearer one is named: both would be read as one word.
+        const bool behind = glm::dot(arm.direction, rays.forward) > 0;
+        if (behind && QLineF(centre, tip).length() < k_apart_px) continue;
+        const QPointF at = centre + 1.45 * (tip - centre);
+        painter.drawText(QRectF(at.x() - 12, at.y() - 8, 24, 16), Qt::AlignCenter, arm.end);
     }
 }
 
