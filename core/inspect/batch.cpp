@@ -124,6 +124,7 @@ private:
         job_.check();
         // As it reads back: file names may be in any encoding, the journal's JSON is UTF-8.
         for (std::string* text : {&row.input, &row.reason}) *text = valid_utf8(*text);
+        for (std::string& text : row.more_reasons) text = valid_utf8(text);
         journal_.write(row);
         tell(planned, row.verdict ? PartState::done : PartState::broken, 1);
         return row;
@@ -217,9 +218,20 @@ std::uint64_t inspection_bytes(std::uint64_t voxels, int bytes_per_voxel) {
     return voxels * (k_measuring + 2 * std::uint64_t(bytes_per_voxel)) + k_fixed;
 }
 
+std::vector<std::string> reasons_of(const BatchRow& row) {
+    std::vector<std::string> all;
+    if (!row.reason.empty()) all.push_back(row.reason);
+    all.insert(all.end(), row.more_reasons.begin(), row.more_reasons.end());
+    return all;
+}
+
 BatchRow row_of(const BatchPart& part, const InspectionReport& report) {
     BatchRow row{part.name, report.scan.input, report.judgement.verdict, "", report.scan.sha256, {}};
-    if (!report.judgement.reasons.empty()) row.reason = report.judgement.reasons.front();
+    const std::vector<std::string>& reasons = report.judgement.reasons;
+    if (!reasons.empty()) {
+        row.reason = reasons.front();
+        row.more_reasons.assign(reasons.begin() + 1, reasons.end());
+    }
     const PartFacts& facts = report.analysis.part;
     if (!facts.has_material) return row;
     const auto exact = [](double v) { return Measured{v, v, v}; };

@@ -35,7 +35,11 @@ struct BatchRow {
     std::string reason;              ///< of the verdict, or why the part could not be inspected
     std::string sha256;
     std::vector<std::pair<std::string, Measured>> values;  ///< characteristics, by name with unit
+    std::vector<std::string> more_reasons = {};            ///< of the verdict, beyond the first
 };
+
+/// All of a row's reasons, a sentence each, the first one first.
+std::vector<std::string> reasons_of(const BatchRow& row);
 
 /// The characteristics of a part that a series compares.
 BatchRow row_of(const BatchPart& part, const InspectionReport& report);

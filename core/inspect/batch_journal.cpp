@@ -96,6 +96,7 @@ std::optional<BatchRow> BatchJournal::read(const std::string& part) const {
         row.name = json.at("name").get<std::string>();
         row.input = json.at("input").get<std::string>();
         row.reason = json.at("reason").get<std::string>();
+        row.more_reasons = json.value("more_reasons", std::vector<std::string>());  // entries before 2026-11 have none
         row.sha256 = json.at("sha256").get<std::string>();
         const std::string word = json.at("verdict").get<std::string>();
         for (const Verdict v : {Verdict::pass, Verdict::fail, Verdict::cannot_tell})
@@ -116,6 +117,7 @@ void BatchJournal::write(const BatchRow& row) const {
               {"verdict", row.verdict ? std::string(name_of(*row.verdict)) : "broken"},
               {"reason", row.reason},
               {"sha256", row.sha256}};
+    if (!row.more_reasons.empty()) json["more_reasons"] = row.more_reasons;
     json["values"] = Json::object();
     for (const auto& [name, m] : row.values) json["values"][name] = {number(m.value), number(m.lo), number(m.hi)};
     write_file(entry(row.name), json.dump(1, ' ', false, k_replace) + "\n");

@@ -128,7 +128,8 @@ Table parts_table(const std::vector<BatchRow>& rows, const std::vector<SeriesSta
         const BatchRow& row = rows[i];
         TableCell verdict{verdict_word(row), row.verdict ? double(*row.verdict) : 3};
         verdict.mark = row.verdict ? *row.verdict : Verdict::fail;
-        std::vector<TableCell> cells{{row.name}, verdict, {row.reason}, {joined(outliers_of(series, i), ", ")}};
+        std::vector<TableCell> cells{
+            {row.name}, verdict, {joined(reasons_of(row), " ")}, {joined(outliers_of(series, i), ", ")}};
         if (row.verdict) cells[0].link = row.name + "/report.html";
         for (const SeriesStatistics& s : series) {
             const Measured& m = value_of(row, s.name);
@@ -204,7 +205,7 @@ std::vector<SeriesStatistics> compare_series(const std::vector<BatchRow>& rows,
 
 std::string summary_csv(const std::vector<BatchRow>& rows, const std::optional<BatchRow>& reference) {
     const std::vector<SeriesStatistics> series = compare_series(rows, reference);
-    std::string csv = "part,input,verdict,reason,outlier_in,sha256";
+    std::string csv = "part,input,verdict,reason,outlier_in,sha256,more_reasons";
     for (const SeriesStatistics& s : series) {
         csv += fmt::format(",{0},{0}_lo,{0}_hi", s.name);
         if (reference) csv += fmt::format(",{}_deviation", s.name);
@@ -214,7 +215,8 @@ std::string summary_csv(const std::vector<BatchRow>& rows, const std::optional<B
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const BatchRow& row = rows[i];
         csv += csv_field(row.name) + ',' + csv_field(row.input) + ',' + verdict_word(row) + ',' +
-               csv_field(row.reason) + ',' + csv_field(joined(outliers_of(series, i), ";")) + ',' + row.sha256;
+               csv_field(row.reason) + ',' + csv_field(joined(outliers_of(series, i), ";")) + ',' + row.sha256 + ',' +
+               csv_field(joined(row.more_reasons, " "));
         for (const SeriesStatistics& s : series) {
             const Measured& m = value_of(row, s.name);
             for (const double v : {m.value, m.lo, m.hi}) csv += ',' + exact_number(v);

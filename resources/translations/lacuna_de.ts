@@ -5091,6 +5091,13 @@
         <source>Reason</source>
         <translation>Grund</translation>
     </message>
+    <message numerus="yes">
+        <source>%1 (and %n more)</source>
+        <translation>
+            <numerusform>%1 (und %n weiterer)</numerusform>
+            <numerusform>%1 (und %n weitere)</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>lacuna::ui::BoxPanel</name>

@@ -12,6 +12,16 @@
     </message>
 </context>
 <context>
+    <name>lacuna::ui::BatchModel</name>
+    <message numerus="yes">
+        <source>%1 (and %n more)</source>
+        <translation>
+            <numerusform>%1 (and %n more)</numerusform>
+            <numerusform>%1 (and %n more)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>lacuna::ui::DicomBrowser</name>
     <message numerus="yes">
         <source>%n series</source>

@@ -61,7 +61,8 @@ void BatchModel::setRows(const std::vector<BatchRow>& rows) {
             row.state = found.verdict ? PartState::done : PartState::broken;
             row.progress = 1;
             row.verdict = found.verdict;
-            row.reason = core_sentence(found.reason);
+            row.reasons.clear();
+            for (const std::string& reason : reasons_of(found)) row.reasons << core_sentence(reason);
         }
     if (!rows_.empty()) Q_EMIT dataChanged(index(0, 0), index(int(rows_.size()) - 1, k_columns - 1));
 }
@@ -91,7 +92,8 @@ QString BatchModel::text(const Row& row, int column) const {
         case k_verdict:
             return row.verdict ? verdict_text(*row.verdict) : QString();
         case k_reason:
-            return row.reason;
+            if (row.reasons.size() < 2) return row.reasons.join(QString());
+            return tr("%1 (and %n more)", nullptr, int(row.reasons.size()) - 1).arg(row.reasons.front());
         default:
             return {};
     }
@@ -100,6 +102,7 @@ QString BatchModel::text(const Row& row, int column) const {
 QVariant BatchModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {};
     const Row& row = rows_[std::size_t(index.row())];
+    if (role == Qt::ToolTipRole && index.column() == k_reason) return row.reasons.join(QLatin1Char('\n'));
     if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return text(row, index.column());
     if (role == Qt::TextAlignmentRole && index.column() == k_progress) return int(Qt::AlignRight | Qt::AlignVCenter);
     return {};

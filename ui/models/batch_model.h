@@ -35,7 +35,7 @@ private:
         PartState state = PartState::waiting;
         double progress = 0;
         std::optional<Verdict> verdict;
-        QString reason;
+        QStringList reasons;
     };
     QString text(const Row& row, int column) const;
     std::vector<Row> rows_;
