@@ -2,7 +2,10 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QLockFile>
+#include <QProcess>
 #include <QPushButton>
+#include <QSysInfo>
 #include <QTemporaryDir>
 
 #include "core/io/volume_writer.h"
@@ -352,6 +355,36 @@ TEST_F(SessionTest, ALivingWindowsAutosaveIsLeftAlone) {
     EXPECT_TRUE(second.messageBar()->answerButtons().isEmpty());
     window->close();
     EXPECT_TRUE(SessionFeature::autosaveFolder().entryList({QStringLiteral("autosave-*.lacuna")}).isEmpty());
+}
+
+TEST_F(SessionTest, LocksOfProgramsThatAreGoneAreRemoved) {
+    QProcess gone;
+    gone.start(QStringLiteral("true"), {});
+    ASSERT_TRUE(gone.waitForStarted());
+    const qint64 pid = gone.processId();
+    ASSERT_TRUE(gone.waitForFinished());
+    const QDir folder = SessionFeature::autosaveFolder();
+    const auto lock_of = [&](const char* name, qint64 owner) {
+        QFile file(folder.filePath(QLatin1String(name)));
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray::number(owner) + '\n' + QCoreApplication::applicationName().toUtf8() + '\n' +
+                   QSysInfo::machineHostName().toUtf8() + "\n" + QSysInfo::machineUniqueId() + '\n' +
+                   QSysInfo::bootUniqueId() + '\n');
+        return file.fileName();
+    };
+    const QString stale = lock_of("autosave-gone.lock", pid);
+    QLockFile living(folder.filePath(QStringLiteral("autosave-living.lock")));
+    living.setStaleLockTime(0);
+    ASSERT_TRUE(living.tryLock(0));
+    const QString other = lock_of("other.lock", pid);
+    const auto locks = [&] { return folder.entryList({QStringLiteral("autosave-*.lock")}, QDir::Files).size(); };
+    ASSERT_EQ(locks(), 3);  // this window's, too
+    MainWindow second([](const JobContext&) { return std::make_shared<Engine>(nullptr); });
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !QFile::exists(stale); }, k_patience_ms));
+    EXPECT_EQ(locks(), 3) << "those of the two windows, and the living one's";
+    EXPECT_TRUE(QFile::exists(folder.filePath(QStringLiteral("autosave-living.lock"))));
+    EXPECT_TRUE(QFile::exists(other)) << "none of ours";
+    QFile::remove(other);
 }
 
 TEST_F(SessionTest, MovedOrChangedDataIsSaidAndNothingIsLost) {

@@ -376,7 +376,18 @@ void SessionFeature::keepAsLast() {
     if (QFileInfo::exists(autosave_file_)) make_last(autosave_file_);
 }
 
+/// Removes the locks that programs left which ended without the time to do so; one of a living program stays.
+void SessionFeature::removeStaleLocks() {
+    const QDir folder = autosaveFolder();
+    for (const QString& name : folder.entryList({QStringLiteral("autosave-*.lock")}, QDir::Files)) {
+        QLockFile lock(folder.filePath(name));
+        lock.setStaleLockTime(0);  // as above
+        if (lock.tryLock(0)) lock.unlock();
+    }
+}
+
 void SessionFeature::offerRecovery() {
+    removeStaleLocks();
     const QDir folder = autosaveFolder();
     QStringList left;
     for (const QFileInfo& info : folder.entryInfoList({QStringLiteral("autosave-*.lacuna")}, QDir::Files, QDir::Time)) {

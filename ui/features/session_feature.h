@@ -57,6 +57,7 @@ private:
     void restoreRegions(const Session& session);
     void checkVoxels(const std::string& expected);
     void offerRecovery();
+    static void removeStaleLocks();
     void askForData(Session session, const QString& file);
     void start(Session session, const QString& file);
     Session current() const;
