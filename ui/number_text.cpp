@@ -2,11 +2,26 @@
 
 #include <QLocale>
 #include <QRegularExpression>
+#include <cmath>
 
 namespace lacuna::ui {
 
 QString number_text(double value, char format, int digits) {
     return QString::number(value, format, digits).replace(QLatin1Char('.'), QLocale().decimalPoint());
+}
+
+namespace {
+/// Decimals beyond those shown that have to be zero for a number to count as written with fewer: what is left of a
+/// dragged value looks like that once in ten thousand.
+constexpr int k_zeros = 4;
+}  // namespace
+
+QString as_typed_text(double value, int least) {
+    const int most = least + k_more_decimals;
+    const double fine = std::round(value * std::pow(10.0, most + k_zeros));  // so 0.1 + 0.2 is 0.3
+    for (int decimals = least; decimals <= most; ++decimals)
+        if (std::fmod(fine, std::pow(10.0, most + k_zeros - decimals)) == 0) return number_text(value, 'f', decimals);
+    return number_text(value, 'f', least);
 }
 
 QString count_text(quint64 count) { return QLocale().toString(count); }
@@ -20,6 +35,15 @@ std::optional<double> typed_number(const QString& text) {
     bool ok = false;
     const double value = text.trimmed().replace(QLatin1Char(','), QLatin1Char('.')).toDouble(&ok);
     return ok ? std::optional(value) : std::nullopt;
+}
+
+void NumberBox::setShownDecimals(int least) {
+    least_ = least;
+    setDecimals(least + k_more_decimals + k_zeros);
+}
+
+QString NumberBox::textFromValue(double value) const {
+    return least_ ? as_typed_text(value, *least_) : QDoubleSpinBox::textFromValue(value);
 }
 
 QValidator::State NumberBox::validate(QString& input, int& position) const {

@@ -11,6 +11,11 @@ namespace lacuna::ui {
 /// @param format  'f', 'e' or 'g' as of QString::number; @param digits  decimals, or for 'g' significant digits
 QString number_text(double value, char format = 'g', int digits = 6);
 
+/// A number by as many decimals as it was written with, from `least` to k_more_decimals more; one of more decimals
+/// than that (a dragged or computed one) is rounded to `least`.
+QString as_typed_text(double value, int least);
+inline constexpr int k_more_decimals = 4;
+
 /// How many of something, its thousands set apart as the language does.
 QString count_text(quint64 count);
 
@@ -26,9 +31,16 @@ class NumberBox : public QDoubleSpinBox {
     Q_OBJECT
 public:
     using QDoubleSpinBox::QDoubleSpinBox;
+    /// Takes k_more_decimals more than it shows of a number that does not need them, so that what was typed comes back
+    /// as it was typed.
+    void setShownDecimals(int least);
+    QString textFromValue(double value) const override;
 
 protected:
     QValidator::State validate(QString& input, int& position) const override;
+
+private:
+    std::optional<int> least_;
 };
 
 }  // namespace lacuna::ui

@@ -228,6 +228,33 @@ TEST(ValueSlider, WhatWasSetBeyondTheLimitsIsSaidAsItIs) {
     EXPECT_EQ(slider.value(), 0);
 }
 
+TEST(ValueSlider, WhatIsTypedComesBackAsTyped) {
+    ValueSlider slider(QStringLiteral("level"));
+    slider.keepTypedDigits();
+    slider.setLimits({-1024, 3071});
+    QSignalSpy spy(&slider, &ValueSlider::valueEdited);
+    const auto type = [&](const char* text) {
+        slider.spin()->selectAll();
+        QTest::keyClicks(slider.spin(), QLatin1String(text));
+        QTest::keyClick(slider.spin(), Qt::Key_Return);
+        return slider.spin()->text().toStdString();
+    };
+    for (const char* text : {"40.5", "-12.25", "0.1234", "300", "3070.9999"}) {
+        EXPECT_EQ(type(text), text);
+        EXPECT_EQ(slider.value(), QByteArray(text).toDouble());
+        EXPECT_EQ(spy.takeLast().at(0).toDouble(), slider.value());
+    }
+    slider.setValue(812.34718293);  // as a drag in a slice leaves it
+    EXPECT_EQ(slider.spin()->text(), QStringLiteral("812"));
+    slider.setValue(0.1 + 0.2);
+    EXPECT_EQ(slider.spin()->text(), QStringLiteral("0.3"));
+    slider.slider()->setValue(333);
+    EXPECT_EQ(slider.value(), std::round(slider.value())) << "the handle moves by whole steps";
+    slider.setLimits({0, 1});
+    EXPECT_EQ(type("0.5"), "0.50");
+    EXPECT_EQ(type("0.123456"), "0.123456");
+}
+
 TEST(TransferPlot, AKeptPointBeyondTheDataIsNotPulledIn) {
     TransferPlot plot;
     plot.resize(300, 180);

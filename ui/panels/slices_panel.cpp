@@ -103,6 +103,8 @@ void SlicesPanel::build() {
            "stretched over the window."));
     slab_mode_->setAccessibleName(tr("What a slab shows"));
     slab_mode_->addItems({tr("Mean"), tr("Maximum (MIP)"), tr("Minimum (MinIP)")});
+    level_->keepTypedDigits();
+    width_->keepTypedDigits();
     slab_->setSuffix(tr(" mm"));
     slab_->setToolTip(tr("How thick the slices are; 0: one voxel"));
     overlay_->setLimits({0, 100});

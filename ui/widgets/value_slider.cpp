@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/number_text.h"
-
 namespace lacuna::ui {
 
 ValueSteps ValueSteps::of(ValueRange limits) {
@@ -34,7 +32,7 @@ ValueSlider::ValueSlider(const QString& accessible_name, QWidget* parent)
     spin_->setMinimumWidth(84);
     connect(slider_, &QSlider::valueChanged, this, [this](int tick) {
         const double raw = limits_.lo + limits_.width() * tick / k_ticks;
-        const double scale = std::pow(10.0, spin_->decimals());
+        const double scale = std::pow(10.0, decimals_);
         const double value = std::round(raw * scale) / scale;
         const QSignalBlocker quiet(spin_);
         spin_->setValue(value);
@@ -60,8 +58,17 @@ void ValueSlider::setLimits(ValueRange limits) {
 
 void ValueSlider::setSteps(int decimals, double step) {
     const QSignalBlocker quiet(spin_);
-    spin_->setDecimals(decimals);
+    decimals_ = decimals;
+    if (keeps_typed_)
+        spin_->setShownDecimals(decimals);
+    else
+        spin_->setDecimals(decimals);
     spin_->setSingleStep(step);
+}
+
+void ValueSlider::keepTypedDigits() {
+    keeps_typed_ = true;
+    setSteps(decimals_, spin_->singleStep());
 }
 
 void ValueSlider::setValue(double value) {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <QDoubleSpinBox>
 #include <QSlider>
 #include <QWidget>
 
 #include "core/volume/volume.h"
+#include "ui/number_text.h"
 
 namespace lacuna::ui {
 
@@ -23,6 +23,8 @@ public:
 
     void setLimits(lacuna::ValueRange limits);
     void setSteps(int decimals, double step);
+    /// What is typed into the box is taken and shown as typed (as_typed_text()), finer than the steps where it is so.
+    void keepTypedDigits();
     void setSuffix(const QString& suffix) { spin_->setSuffix(suffix); }
     void setValue(double value);  ///< from the program: emits nothing
     double value() const { return spin_->value(); }
@@ -37,8 +39,10 @@ private:
     int tickOf(double value) const;
 
     ValueRange limits_{0, 0};
+    int decimals_ = 2;  ///< that the handle moves by and a box shows at least
+    bool keeps_typed_ = false;
     QSlider* slider_;
-    QDoubleSpinBox* spin_;
+    NumberBox* spin_;
 };
 
 }  // namespace lacuna::ui
