@@ -13,6 +13,7 @@
 #include "ui/core_sentences_of_pictures.h"
 #include "ui/core_sentences_of_work.h"
 #include "ui/number_text.h"
+#include "ui/plan_words.h"
 
 namespace lacuna::ui {
 
@@ -85,6 +86,7 @@ std::optional<QString> in_own_words(const QString& english);
 /// What was filled in: a reason that is a sentence or a phrase itself, the name of a known failure, a
 /// plan, or a number.
 QString filled_in(const QString& found) {
+    if (const auto plan = plan_in_own_words(found)) return *plan;
     if (const auto own = in_own_words(found)) return *own;
     const QByteArray text = found.toUtf8();
     if (const QString limit = QCoreApplication::translate("Limits", text.constData()); limit != found) return limit;

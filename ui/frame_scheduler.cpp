@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/number_text.h"
+#include "ui/plan_words.h"
 
 namespace lacuna::ui {
 
@@ -11,8 +12,7 @@ namespace {
 
 QString describe(const Scene& scene, const Plan& plan) {
     return FrameScheduler::tr("%1 · %2 · step %3")
-        .arg(QString::fromUtf8(name_of(scene.mode).data(), qsizetype(name_of(scene.mode).size())),
-             QString::fromUtf8(name_of(plan.structure).data(), qsizetype(name_of(plan.structure).size())))
+        .arg(plan_value(name_of(scene.mode)), structure_word(plan.structure))
         .arg(number_text(plan.step, 'g', 3));
 }
 

@@ -276,7 +276,7 @@ void MainWindow::showDocument() {
     views_->volumeView()->setGeometry3d(document.volume.geometry());
     views_->volumeView()->setHome(document.home);
     views_->volumeView()->setCamera(document.camera);
-    render_panel_->setVolumeFacts(document.statistics->range, QString::fromStdString(document.volume.unit));
+    render_panel_->setVolumeFacts(*document.statistics, QString::fromStdString(document.volume.unit));
     cuts_panel_->setGeometry3d(document.volume.geometry());
     slices_panel_->setDocument(document);
     stack_->setCurrentWidget(views_);

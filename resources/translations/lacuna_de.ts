@@ -4648,6 +4648,255 @@
     </message>
 </context>
 <context>
+    <name>PlanKey</name>
+    <message>
+        <source>mode %1</source>
+        <translation>Modus %1</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>sampler %1</source>
+        <translation>Abtaster %1</translation>
+    </message>
+    <message>
+        <source>gradient %1</source>
+        <translation>Gradient %1</translation>
+    </message>
+    <message>
+        <source>integration %1</source>
+        <translation>Integration %1</translation>
+    </message>
+    <message>
+        <source>refine %1</source>
+        <translation>Verfeinerung %1</translation>
+    </message>
+    <message>
+        <source>refine steps %1</source>
+        <translation>Verfeinerungsschritte %1</translation>
+    </message>
+    <message>
+        <source>ert %1</source>
+        <translation>Strahlabbruch %1</translation>
+    </message>
+    <message>
+        <source>sparse %1</source>
+        <translation>jeder %1. Bildpunkt</translation>
+    </message>
+    <message>
+        <source>sparse aware %1</source>
+        <translation>Zellprüfung %1</translation>
+    </message>
+    <message>
+        <source>cells %1</source>
+        <translation>Zellen %1</translation>
+    </message>
+    <message>
+        <source>directions %1</source>
+        <translation>Richtungen %1</translation>
+    </message>
+    <message>
+        <source>voxel gradient %1</source>
+        <translation>Voxelgradient %1</translation>
+    </message>
+    <message>
+        <source>homogeneity %1</source>
+        <translation>Homogenität %1</translation>
+    </message>
+    <message>
+        <source>homogeneity angle %1</source>
+        <translation>Homogenitätswinkel %1</translation>
+    </message>
+    <message>
+        <source>brick %1</source>
+        <translation>Blöcke %1</translation>
+    </message>
+    <message>
+        <source>kernel %1</source>
+        <translation>Kern %1</translation>
+    </message>
+</context>
+<context>
+    <name>PlanStructure</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>macrocells</source>
+        <translation>Makrozellen</translation>
+    </message>
+    <message>
+        <source>octree</source>
+        <translation>Octree</translation>
+    </message>
+    <message>
+        <source>pyramid</source>
+        <translation>Pyramide</translation>
+    </message>
+    <message>
+        <source>pc</source>
+        <translation>pc</translation>
+    </message>
+    <message>
+        <source>acd</source>
+        <translation>acd</translation>
+    </message>
+    <message>
+        <source>eacd</source>
+        <translation>eacd</translation>
+    </message>
+    <message>
+        <source>leap</source>
+        <translation>Sprünge</translation>
+    </message>
+    <message>
+        <source>visible</source>
+        <translation>sichtbare Voxel</translation>
+    </message>
+</context>
+<context>
+    <name>PlanValue</name>
+    <message>
+        <source>nearest</source>
+        <translation>nächster</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>adaptive</source>
+        <translation>adaptiv</translation>
+    </message>
+    <message>
+        <source>bisect</source>
+        <translation>Bisektion</translation>
+    </message>
+    <message>
+        <source>regula-falsi</source>
+        <translation>Regula falsi</translation>
+    </message>
+    <message>
+        <source>newton</source>
+        <translation>Newton</translation>
+    </message>
+    <message>
+        <source>regula-falsi-plain</source>
+        <translation>schlichte Regula falsi</translation>
+    </message>
+    <message>
+        <source>cubic</source>
+        <translation>kubisch</translation>
+    </message>
+    <message>
+        <source>central,on-the-fly</source>
+        <translation>zentral im Lauf</translation>
+    </message>
+    <message>
+        <source>central,stored</source>
+        <translation>zentral gespeichert</translation>
+    </message>
+    <message>
+        <source>sobel,on-the-fly</source>
+        <translation>Sobel im Lauf</translation>
+    </message>
+    <message>
+        <source>sobel,stored</source>
+        <translation>Sobel gespeichert</translation>
+    </message>
+    <message>
+        <source>central</source>
+        <translation>zentral</translation>
+    </message>
+    <message>
+        <source>sobel</source>
+        <translation>Sobel</translation>
+    </message>
+    <message>
+        <source>gaussian</source>
+        <translation>Gauß</translation>
+    </message>
+    <message>
+        <source>riemann</source>
+        <translation>Riemann</translation>
+    </message>
+    <message>
+        <source>preintegrated</source>
+        <translation>vorintegriert</translation>
+    </message>
+    <message>
+        <source>lossless</source>
+        <translation>verlustfrei</translation>
+    </message>
+    <message>
+        <source>confirmed</source>
+        <translation>bestätigt</translation>
+    </message>
+    <message>
+        <source>published</source>
+        <translation>wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>true</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>false</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>shear-warp</source>
+        <translation>Shear-Warp</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>no refinement</comment>
+        <translation>keine</translation>
+    </message>
+</context>
+<context>
+    <name>PresetName</name>
+    <message>
+        <source>bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>soft-tissue</source>
+        <translation>Weichteile</translation>
+    </message>
+    <message>
+        <source>skin</source>
+        <translation>Haut</translation>
+    </message>
+    <message>
+        <source>lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>angio</source>
+        <translation>Gefäße</translation>
+    </message>
+    <message>
+        <source>metal</source>
+        <translation>Metall</translation>
+    </message>
+    <message>
+        <source>voids</source>
+        <translation>Hohlräume</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>Grau</translation>
+    </message>
+</context>
+<context>
     <name>QToolBar</name>
     <message>
         <source>Tool bar</source>
@@ -8697,6 +8946,14 @@
     <message>
         <source>Automatic (%1)</source>
         <translation>Selbsttätig (%1)</translation>
+    </message>
+    <message>
+        <source>Almost every ray passes the air at the volume&apos;s border, which holds the least values: the picture shows that air, and is dark. What lies within the part is shown by a box inside it alone (Cuts), or by a range of the part&apos;s values (Ranges).</source>
+        <translation>Fast jeder Strahl geht durch die Luft am Rand des Volumens, die die kleinsten Werte hat: Das Bild zeigt diese Luft und ist dunkel. Was im Teil liegt, zeigt ein Kasten in seinem Inneren (Schnitte) oder ein Bereich seiner Werte (Bereiche).</translation>
+    </message>
+    <message>
+        <source>About this mode</source>
+        <translation>Zu diesem Modus</translation>
     </message>
 </context>
 <context>

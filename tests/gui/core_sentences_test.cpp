@@ -230,7 +230,7 @@ TEST_F(GermanTest, NumbersFilledInHaveADecimalComma) {
     EXPECT_EQ(
         core_sentence("octree, step 0.5: 0.25/255 from brute force over the whole view and 1.5 ms a frame, both "
                       "measured (error budget 0.5/255)."),
-        QStringLiteral("octree, step 0,5: 0,25/255 Abweichung von Brute Force über die ganze Ansicht und 1,5 ms je "
+        QStringLiteral("Octree, Schritt 0,5: 0,25/255 Abweichung von Brute Force über die ganze Ansicht und 1,5 ms je "
                        "Bild, beides gemessen (Fehlerbudget 0,5/255)."));
     EXPECT_EQ(core_sentence("/a/v1.5/b.json: step has to be a number."),
               QStringLiteral("/a/v1.5/b.json: step muss eine Zahl sein."));

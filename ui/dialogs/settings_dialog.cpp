@@ -190,7 +190,7 @@ void SettingsDialog::showDevices(const std::vector<DeviceInfo>& devices) {
                                  time};
         for (int column = 0; column < 4; ++column) {
             auto* cell = new QTableWidgetItem(cells[column]);
-            cell->setToolTip(info.usable ? name : QString::fromStdString(info.fault));
+            cell->setToolTip(info.usable ? name : core_sentence(info.fault));
             if (info.index == fastest) {
                 QFont bold = devices_->font();
                 bold.setBold(true);

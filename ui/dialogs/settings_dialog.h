@@ -27,6 +27,8 @@ public:
     QCheckBox* privacyBox() const { return hide_patient_; }
     QTableWidget* deviceTable() const { return devices_; }
     QPushButton* measureButton() const { return measure_; }
+    /// Fills the table and the choice with what was found.
+    void showDevices(const std::vector<DeviceInfo>& devices);
 
 public Q_SLOTS:
     void accept() override;
@@ -44,7 +46,6 @@ private:
     QWidget* computePage();
     QWidget* folderPage();
     QWidget* folderRow(QLineEdit* edit, const QString& title);
-    void showDevices(const std::vector<DeviceInfo>& devices);
     void listDevices(bool again);
 
     QComboBox *language_, *theme_, *device_;

@@ -7,6 +7,7 @@
 #include "core/accuracy/difference_map.h"
 #include "ui/core_sentences.h"
 #include "ui/number_text.h"
+#include "ui/plan_words.h"
 
 namespace lacuna::ui {
 
@@ -21,11 +22,10 @@ QImage to_image(const DifferenceMap& map) {
     return wrapped.convertToFormat(QImage::Format_RGB32);  // a copy: the map goes
 }
 
-QString plan_words(const ModePlan& plan, const Plan& brute) {
+QString words_of(const ModePlan& plan, const Plan& brute) {
     const std::string differs = difference_in_words(plan, {plan.mode, brute});
-    QString words = QString::fromUtf8(name_of(plan.plan.structure).data());
-    if (!differs.empty()) words += QStringLiteral(", ") + with_decimal_marks(QString::fromStdString(differs));
-    return words;
+    const QString structure = QString::fromUtf8(name_of(plan.plan.structure).data());
+    return plan_words(differs.empty() ? structure : structure + QStringLiteral(", ") + QString::fromStdString(differs));
 }
 
 }  // namespace
@@ -211,7 +211,7 @@ void AccuracyFeature::showPlan() {
     if (monitor_->coarse()) return;
     const FrameFacts& shown = monitor_->shown();
     QString line = tr("%1 · %2 ms a frame")
-                       .arg(plan_words(monitor_->plan(), brute_force(*shown.scene, quality.step)))
+                       .arg(words_of(monitor_->plan(), brute_force(*shown.scene, quality.step)))
                        .arg(number_text(shown.ms, 'f', shown.ms < 9.95 ? 1 : 0));
     const auto& answer = monitor_->answer();
     if (quality.has_budget() && answer && !answer->meets_budget)

@@ -7,6 +7,7 @@
 #include "core/session/preset_settings.h"
 
 #include "ui/file_choice.h"
+#include "ui/preset_title.h"
 
 namespace lacuna::ui {
 
@@ -139,7 +140,7 @@ void PresetsFeature::apply(const PresetEntry& entry) {
         if (!gallery_->withTechnique()) preset.technique.reset();
         const ViewSettings next = with_preset(document.settings, preset);
         bench_.documents()->endGesture();
-        bench_.documents()->edit(tr("Preset %1").arg(QString::fromStdString(entry.name)), next);
+        bench_.documents()->edit(tr("Preset %1").arg(preset_title(entry)), next);
         bench_.documents()->endGesture();
     } catch (const Error& error) {
         bench_.report(error);

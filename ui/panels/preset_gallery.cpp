@@ -10,6 +10,7 @@
 
 #include "ui/core_sentences.h"
 #include "ui/preset_thumbnails.h"
+#include "ui/preset_title.h"
 #include "ui/theme.h"
 
 namespace lacuna::ui {
@@ -108,8 +109,8 @@ void PresetGallery::setEntries(const std::vector<PresetEntry>& entries) {
         entries_ = entries;
         list_->clear();
         for (const PresetEntry& entry : entries_) {
-            auto* item = new QListWidgetItem(icon_of({}, !entry.fault.empty()), QString::fromStdString(entry.name));
-            item->setToolTip(entry.fault.empty() ? QString::fromStdString(entry.name) : core_sentence(entry.fault));
+            auto* item = new QListWidgetItem(icon_of({}, !entry.fault.empty()), preset_title(entry));
+            item->setToolTip(entry.fault.empty() ? preset_title(entry) : core_sentence(entry.fault));
             list_->addItem(item);
             if (keyOf(entry) == before) list_->setCurrentItem(item);
         }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/number_text.h"
+#include "ui/preset_title.h"
 #include "ui/tab_chain.h"
 #include "ui/widgets/plot_paint.h"
 #include "ui/widgets/value_slider.h"
@@ -79,7 +80,7 @@ void RangeRow::build(int number) {
     color_->setToolTip(tr("The range's colour"));
     enabled_->setToolTip(tr("Whether the range is in use"));
     colors_->addItems({tr("Scene's colours"), tr("Own colours…"), tr("One colour")});
-    for (const std::string& name : preset_names()) colors_->addItem(QString::fromStdString(name));
+    for (const std::string& name : preset_names()) colors_->addItem(preset_title(name), QString::fromStdString(name));
     enabled_->setAccessibleName(tr("Range %1 in use").arg(number));
     name_->setAccessibleName(tr("Name of range %1").arg(number));
     color_->setAccessibleName(tr("Colour of range %1").arg(number));
@@ -122,7 +123,7 @@ void RangeRow::chooseColors(int index) {
     if (index == k_own) {
         Q_EMIT ownColorsRequested();
     } else if (index >= k_first_preset) {
-        Q_EMIT presetChosen(colors_->itemText(index));
+        Q_EMIT presetChosen(colors_->itemData(index).toString());
     } else {
         const double unit_mm = setting_.range.tf ? setting_.range.tf->unit_distance_mm : unit_distance_mm_;
         setting_.range.tf.reset();
@@ -146,7 +147,7 @@ void RangeRow::setSetting(const RangeSetting& setting) {
     hi_->setValue(setting.range.range.hi);
     int index = k_scene;
     if (const auto& tf = setting.range.tf) {
-        const int preset = colors_->findText(QString::fromStdString(tf->name));
+        const int preset = colors_->findData(QString::fromStdString(tf->name));
         index = tf->name == k_one_color_name ? int(k_one_color) : preset >= k_first_preset ? preset : int(k_own);
     }
     colors_->setCurrentIndex(index);

@@ -1,11 +1,14 @@
 #include "ui/panels/render_panel.h"
 
-#include <QLabel>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
+#include <algorithm>
 
+#include "core/volume/border.h"
+#include "core/volume/statistics.h"
 #include "ui/core_sentences.h"
 #include "ui/language.h"
+#include "ui/plan_words.h"
 
 namespace lacuna::ui {
 
@@ -49,6 +52,7 @@ RenderPanel::RenderPanel(QWidget* parent)
     : QWidget(parent),
       form_(new QFormLayout(this)),
       mode_(new QComboBox(this)),
+      note_(new QLabel(this)),
       iso_(new ValueSlider(tr("Isovalue"), this)),
       lmip_(new ValueSlider(tr("Local maximum threshold"), this)),
       by_tf_(new QCheckBox(tr("Colours of the transfer function"), this)),
@@ -69,6 +73,8 @@ void RenderPanel::buildRows() {
     }
     mode_->setAccessibleName(tr("View mode"));
     mode_->setToolTip(tr("Keys 1 to 7"));
+    iso_->keepTypedDigits();
+    lmip_->keepTypedDigits();
     by_tf_->setAccessibleName(tr("Projection in the colours of the transfer function"));
     shading_->addItems({tr("None"), tr("Lambert"), tr("Phong")});
     shading_->setAccessibleName(tr("Shading"));
@@ -77,14 +83,25 @@ void RenderPanel::buildRows() {
     quality_->setToolTip(tr("Distance between samples, in voxels, of the still picture"));
     structure_->addItem(tr("Automatic"), -1);
     for (const auto& [structure, name] : structure_names())
-        structure_->addItem(QString::fromUtf8(name.data(), qsizetype(name.size())), int(structure));
+        structure_->addItem(structure_title(structure), int(structure));
     structure_->setAccessibleName(tr("Acceleration structure"));
     structure_->setToolTip(tr("What lets rays jump over empty space; the picture is the same with each"));
     const auto row = [this](const QString& name, QWidget* field) {
         form_->addRow(name, field);
         if (QWidget* label = form_->labelForField(field)) label->setMinimumWidth(62);
     };
+    note_->setWordWrap(true);
+    note_->setTextFormat(Qt::PlainText);
+    note_->setForegroundRole(QPalette::PlaceholderText);
+    note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    note_->setText(tr(
+        "Almost every ray passes the air at the volume's border, which holds the least values: the picture shows "
+        "that air, and is dark. What lies within the part is shown by a box inside it alone (Cuts), or by a range of "
+        "the part's values (Ranges)."));
+    note_->setAccessibleName(tr("About this mode"));
     row(tr("Mo&de"), mode_);
+    form_->addRow(note_);
+    form_->setRowVisible(note_, false);
     row(tr("&Isovalue"), iso_);
     row(tr("Threshold"), lmip_);
     row(QString(), by_tf_);
@@ -130,7 +147,9 @@ void RenderPanel::connectRows() {
     });
 }
 
-void RenderPanel::setVolumeFacts(ValueRange values, const QString& unit) {
+void RenderPanel::setVolumeFacts(const VolumeStatistics& statistics, const QString& unit) {
+    const ValueRange values = statistics.range;
+    air_below_ = otsu_threshold(statistics);
     for (ValueSlider* slider : {iso_, lmip_}) {
         slider->setLimits(values);
         slider->setSuffix(unit.isEmpty() ? QString() : QStringLiteral(" ") + unit);
@@ -157,11 +176,32 @@ void RenderPanel::setSettings(const ViewSettings& settings) {
     showRelevantRows();
 }
 
+/// Nearly all of what rays meet first is the dark class of the values, and no range leaves it out.
+bool RenderPanel::airAround(const Volume& volume) const {
+    constexpr double k_nearly_all = 0.75;
+    const glm::dvec3 cells(volume.geometry().size);
+    VoxelBox box{{0, 0, 0}, volume.geometry().size};
+    if (settings_.roi.enabled) {
+        box.first = glm::clamp(glm::ivec3(glm::round(settings_.roi.lo * cells)), glm::ivec3(0), box.size - 1);
+        const glm::ivec3 end(glm::round(settings_.roi.hi * cells));
+        box.size = glm::clamp(end - box.first, glm::ivec3(1), box.size - box.first);
+    }
+    const auto& ranges = settings_.ranges;
+    const bool all_shown = std::none_of(ranges.begin(), ranges.end(), [](const RangeSetting& r) { return r.enabled; });
+    const auto is_air = [&](double value) {
+        return value < air_below_ &&
+               (all_shown || std::any_of(ranges.begin(), ranges.end(), [&](const RangeSetting& r) {
+                    return r.enabled && r.range.range.contains(value);
+                }));
+    };
+    return border_share(volume, box, is_air) >= k_nearly_all;
+}
+
 void RenderPanel::setScene(const Scene& scene) {
+    form_->setRowVisible(note_, scene.mode == ViewMode::minip && airAround(scene.volume));
     auto* items = qobject_cast<QStandardItemModel*>(structure_->model());
-    const auto word = [](std::string_view name) { return QString::fromUtf8(name.data(), qsizetype(name.size())); };
     Plan own = default_plan(scene);
-    structure_->setItemText(0, tr("Automatic (%1)").arg(word(name_of(own.structure))));
+    structure_->setItemText(0, tr("Automatic (%1)").arg(structure_word(own.structure)));
     for (int i = 1; i < structure_->count(); ++i) {
         const auto structure = Structure(structure_->itemData(i).toInt());
         const QString refusal = core_sentence(structure_refusal(structure, scene));

@@ -3,6 +3,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
+#include <QLabel>
 #include <QWidget>
 
 #include "core/session/document.h"
@@ -15,7 +16,7 @@ class RenderPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit RenderPanel(QWidget* parent = nullptr);
-    void setVolumeFacts(lacuna::ValueRange values, const QString& unit);
+    void setVolumeFacts(const lacuna::VolumeStatistics& statistics, const QString& unit);
     void setSettings(const lacuna::ViewSettings& settings);
     /// Says which structures can draw the scene, and why the others cannot.
     void setScene(const lacuna::Scene& scene);
@@ -23,6 +24,8 @@ public:
     /// Puts a panel of its own below the rows.
     void append(QWidget* panel) { form_->addRow(panel); }
     QComboBox* structureBox() const { return structure_; }
+    /// What is to be known of the mode on this volume; hidden where that is nothing.
+    QLabel* note() const { return note_; }
 
 Q_SIGNALS:
     void edited(const QString& name, const lacuna::ViewSettings& next);
@@ -31,12 +34,15 @@ private:
     void buildRows();
     void connectRows();
     void showRelevantRows();
+    bool airAround(const lacuna::Volume& volume) const;
     template <class Change>
     void edit(const QString& name, Change&& change);
 
     ViewSettings settings_;
     QFormLayout* form_;
     QComboBox* mode_;
+    QLabel* note_;
+    double air_below_ = 0;  ///< Otsu's threshold of the volume
     ValueSlider* iso_;
     ValueSlider* lmip_;
     QCheckBox* by_tf_;

@@ -11,6 +11,7 @@
 #include "core/accuracy/sweep_report.h"
 #include "ui/core_sentences.h"
 #include "ui/number_text.h"
+#include "ui/plan_words.h"
 #include "ui/widgets/error_badge.h"
 #include "ui/widgets/row_table.h"
 
@@ -23,9 +24,8 @@ constexpr int k_point_role = Qt::UserRole;
 
 QString words_of(const ModePlan& plan, const ModePlan& brute) {
     const std::string differs = difference_in_words(plan, brute);
-    QString words = QString::fromUtf8(name_of(plan.plan.structure).data());
-    if (!differs.empty()) words += QStringLiteral(", ") + with_decimal_marks(QString::fromStdString(differs));
-    return words;
+    const QString structure = QString::fromUtf8(name_of(plan.plan.structure).data());
+    return plan_words(differs.empty() ? structure : structure + QStringLiteral(", ") + QString::fromStdString(differs));
 }
 
 /// A structure's marker as the chart draws it.
@@ -61,7 +61,7 @@ void speak(Chart& chart) {
             (line.at == 1 ? SpeedPanel::tr("1 grey level") : SpeedPanel::tr("the reference itself")).toStdString();
     for (Series& series : chart.series)
         for (DataPoint& point : series.points)
-            point.label = with_decimal_marks(QString::fromStdString(point.label)).toStdString();
+            point.label = plan_words(QString::fromStdString(point.label)).toStdString();
 }
 
 QString number(double value) { return number_text(value, 'f', value < 9.95 ? 1 : 0); }
