@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
@@ -32,7 +33,8 @@ Volume blobs(glm::ivec3 size, unsigned seed = 1) {
         for (int z = 0; z < size.z; ++z)
             for (int y = 0; y < size.y; ++y)
                 for (int x = 0; x < size.x; ++x)
-                    voxels[i++] = T(50 + 20 * (std::sin(0.7 * x + a) + std::sin(0.9 * y + b) + std::cos(0.8 * z + c)));
+                    voxels[i++] = T(std::max(
+                        0.0, 50 + 20 * (std::sin(0.7 * x + a) + std::sin(0.9 * y + b) + std::cos(0.8 * z + c))));
     });
 }
 
