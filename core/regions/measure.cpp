@@ -294,7 +294,7 @@ void set_values(RegionCharacteristics& row, const Sums& sums) {
     row.mean = sums.shift + sums.value / n;
     row.min = sums.min;
     row.max = sums.max;
-    row.mean = std::clamp(row.mean, row.min, row.max);
+    if (row.min <= row.max) row.mean = std::clamp(row.mean, row.min, row.max);  // else no voxel has a value
     row.stddev = std::sqrt(std::max(0.0, (sums.square - sums.value * sums.value / n) / n));
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "core/base/parallel.h"
@@ -132,6 +133,18 @@ TEST(Components, MeasuringRefusesLabelsOfAnotherGrid) {
     } catch (const Error& error) {
         EXPECT_EQ(error.code(), Errc::bad_input);
     }
+}
+
+TEST(Components, ARegionWithoutAValueIsMeasured) {
+    constexpr float k_none = std::numeric_limits<float>::quiet_NaN();
+    const Volume volume = volume_of<float>(grid({4, 4, 4}), [](int x, int, int) { return x < 2 ? k_none : 7.0f; });
+    LabelVolume labels{volume.geometry(), std::make_shared<std::vector<std::uint32_t>>(64, 0u)};
+    for (std::size_t i = 0; i < 64; ++i) (*labels.labels)[i] = i % 4 < 2 ? 1u : 2u;
+    const auto rows = measure_regions(volume, labels, Connectivity::c6);
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0].voxels, 32);
+    EXPECT_TRUE(std::isnan(rows[0].mean));
+    EXPECT_EQ(rows[1].mean, 7);
 }
 
 TEST(Components, MeasuringTakesIdsOfAnySize) {
