@@ -109,6 +109,9 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
     }
 #endif
     VI hit_at = (VI)(-1);
+    // The measure at the hit and one sample before it, but in `unknown` lanes, whose run of samples began with the hit.
+    VF ga = zero, gb = zero;
+    VI unknown = (VI)(0);
     COUNT(const VI first_of_all = r.first;)
     NARROW(p, &r);
     COUNT(skipped += sum_lanes((r.first - first_of_all) & MASK(r.first > first_of_all) & ~done);)
@@ -120,6 +123,8 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
         const Skip skip = next_sample(p, &r, STRUCTURE, &state, k, end, live);
         COUNT(reads += skip.reads; skipped += jumped(&r, live, k, skip.next);)
         k = skip.next;
+        VF last = zero;   // the measure at k - 1
+        const VI earliest = max_of_int(r.first, (VI)(k));
         for (; k < skip.until; ++k) {
             VI here = MASK(r.first <= (VI)(k)) & MASK(r.end > (VI)(k)) & ~done;
             VF3 sample_at = ray_at(&r, (VF)((float)k));
@@ -128,10 +133,15 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
             COUNT(samples += sum_lanes(counted(here));)
             VI turned = here & ((state.inside & MASK(g < zero)) | (~state.inside & MASK(g >= zero)));
             state.inside &= ~(here & MASK(g != g));   // after a NaN the ray counts as outside
-            if (!any_lane(turned)) continue;
-            hit_at = turned ? (VI)(k) : hit_at;
-            done |= turned;
-            if (!any_lane(MASK(r.end > (VI)(k)) & ~done)) break;
+            if (any_lane(turned)) {
+                hit_at = turned ? (VI)(k) : hit_at;
+                ga = turned ? last : ga;
+                gb = turned ? g : gb;
+                unknown |= turned & (NEAREST_MAY_SERVE ? (VI)(-1) : MASK(earliest == (VI)(k)));
+                done |= turned;
+                if (!any_lane(MASK(r.end > (VI)(k)) & ~done)) break;
+            }
+            last = g;
         }
     }
 
@@ -142,10 +152,13 @@ kernel void raycast_iso(global const voxel_t* restrict volume, constant RayParam
     if (any_lane(surface_hit)) {
         VF b = TO_FLOAT(hit_at);
         VF a = max_of(b - 1.0f, r.enter);
-        VF ga = measure_at(volume, p, &r, a), gb = measure_at(volume, p, &r, b);
+        if (any_lane(unknown)) {
+            const VF before = SEEN(measure_at(volume, p, &r, a), ray_at(&r, a));
+            ga = unknown ? before : ga;
+            if (NEAREST_MAY_SERVE) gb = measure_at(volume, p, &r, b);
+        }
         VF estimate = p->refine == 0 ? b : refine_hit(volume, p, &r, a, b, ga, gb);
-        VF before = SEEN(ga, ray_at(&r, a));
-        at = surface_hit ? (MASK(before == before) ? estimate : b) : at;   // no bracket behind a NaN sample
+        at = surface_hit ? (MASK(ga == ga) ? estimate : b) : at;   // no bracket behind a NaN sample
     }
     if (any_lane(any_hit))
         c = surface_color(p, &r, gradient(volume, p, ray_at(&r, at)), any_hit, face_hit, entry_value);
