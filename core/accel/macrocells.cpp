@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/parallel.h"
+#include "core/base/vector_clones.h"
 
 namespace lacuna {
 
@@ -114,6 +115,23 @@ std::vector<std::uint8_t> classify_macrocells(const MacrocellGrid& grid, const V
     return classes;
 }
 
+namespace {
+
+/// What cells of these ranges, lo hi lo hi .., are to a threshold: nothing of theirs reaches it below `none_below`, all
+/// does from `all_from` on. A cell without values has lo > hi.
+LACUNA_VECTOR_CLONES void compare_ranges(const float* __restrict range, std::uint8_t* __restrict answer, std::int64_t n,
+                                         float none_below, float all_from) {
+    using Answer = VisibilityTable::Answer;
+    static_assert(int(Answer::none) == 0 && int(Answer::all) == 1 && int(Answer::some) == 2);
+    for (std::int64_t i = 0; i < n; ++i) {
+        const float lo = range[2 * i], hi = range[2 * i + 1];
+        const int none = hi < none_below, all = (lo >= all_from) & (lo <= hi);
+        answer[i] = std::uint8_t(all | (((all | none) ^ 1) << 1));
+    }
+}
+
+}  // namespace
+
 std::vector<std::uint8_t> classify_macrocells(const MacrocellGrid& grid, double iso, double slack) {
     using Answer = VisibilityTable::Answer;
     // Rounded outwards: a range that may reach the isovalue does.
@@ -121,12 +139,8 @@ std::vector<std::uint8_t> classify_macrocells(const MacrocellGrid& grid, double 
     const float all_from = std::nextafter(float(iso + slack), k_infinity);
     std::vector<std::uint8_t> classes(grid.ranges.size());
     parallel_bands(0, std::int64_t(classes.size()), thread_count(), [&](std::int64_t first, std::int64_t last) {
-        const glm::vec2* range = grid.ranges.data();
         std::uint8_t* out = classes.data();
-        for (std::int64_t i = first; i < last; ++i) {
-            const bool none = range[i].y < none_below, all = range[i].x >= all_from && range[i].x <= range[i].y;
-            out[i] = std::uint8_t(all ? Answer::all : none ? Answer::none : Answer::some);
-        }
+        compare_ranges(&grid.ranges[std::size_t(first)].x, out + first, last - first, none_below, all_from);
         if (grid.has_nan.empty()) return;
         for (std::int64_t i = first; i < last; ++i)
             if (out[i] == std::uint8_t(Answer::all) && grid.has_nan[std::size_t(i)])

@@ -26,11 +26,9 @@ bool takes_extremes(ViewMode mode) {
 /// show something (so that where nothing can be skipped nothing needs to be asked).
 RegionGrid macrocell_regions(const MacrocellGrid& grid, std::vector<std::uint8_t>&& classes, bool inside, bool busy) {
     using Answer = VisibilityTable::Answer;
-    std::array<std::uint8_t, 256> region{};
-    region[std::size_t(Answer::none)] = 1;
-    region[std::size_t(Answer::all)] = inside || busy ? 2 : 0;
-    region[std::size_t(Answer::some)] = busy ? 2 : 0;
-    for (std::uint8_t& c : classes) c = region[c];
+    constexpr auto k_none = std::uint8_t(Answer::none), k_all = std::uint8_t(Answer::all);
+    const std::uint8_t of_all = inside || busy ? 2 : 0, of_some = busy ? 2 : 0;
+    for (std::uint8_t& c : classes) c = c == k_none ? 1 : c == k_all ? of_all : of_some;  // a loop for vectors
     return {grid.cells, std::move(classes)};
 }
 
