@@ -119,7 +119,7 @@ TEST_F(Numbers, OfAWholeWindowHaveADecimalComma) {
         EXPECT_FALSE(point.match(text).hasMatch())
             << of->metaObject()->className() << " " << of->objectName().toStdString() << ": " << text.toStdString();
     };
-    static const QRegularExpression readout(QStringLiteral("[LR] \\d+,\\d\\d "));
+    static const QRegularExpression readout(QStringLiteral("X -?\\d+,\\d\\d "));
     EXPECT_TRUE(window->statusLine()->readout().contains(readout)) << window->statusLine()->readout().toStdString();
     for (const QLabel* label : window->findChildren<QLabel*>()) {
         check(label, label->text());
